@@ -1,0 +1,25 @@
+# What every target of ours is compiled with. -ffast-math is nowhere: a NaN must be seen.
+# -fopenmp-simd only honours `#pragma omp simd`; it brings in no OpenMP runtime.
+add_library(rouleau_flags INTERFACE)
+target_compile_options(
+  rouleau_flags
+  INTERFACE -Wall
+            -Wextra
+            -Wpedantic
+            -Wshadow
+            -Wconversion
+            -Wno-sign-conversion
+            -Werror
+            -fopenmp-simd
+            -fno-math-errno
+            -fno-trapping-math)
+if(ROULEAU_NATIVE)
+  target_compile_options(rouleau_flags INTERFACE -march=native)
+endif()
+if(ROULEAU_SANITIZE)
+  add_compile_options(-fsanitize=${ROULEAU_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${ROULEAU_SANITIZE})
+endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  add_compile_options(-O3)
+endif()

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/case/case.h"
+
+namespace rouleau {
+
+/// Bounds on what is read at all, before any of it is believed.
+inline constexpr std::size_t max_case_bytes = 1 << 20;
+inline constexpr int max_case_depth = 16;
+
+/// Parses text as JSON within `max_case_bytes` and `max_case_depth`; refuses duplicate keys, NaN, numbers
+/// out of range and invalid UTF-8.
+/// @throws CaseError naming the place
+nlohmann::json parse_json(std::string_view text);
+
+/// Reads a case strictly: unknown keys, wrong types, values out of range and scenes that contradict
+/// themselves are faults, all of them reported at once.
+/// @throws CaseError with every fault
+Case read_case(std::string_view text);
+Case read_case(const nlohmann::json& document);
+
+/// The case with every default filled in; `read_case(to_json(c))` gives `c` again.
+nlohmann::json to_json(const Case& resolved);
+
+/// The JSON Schema (draft 7) of a case, made from the same table of keys that `read_case` checks against.
+const nlohmann::json& case_schema();
+
+}  // namespace rouleau

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/plan/plan.h"
+
+namespace rouleau {
+
+/// A column of the time series: its fixed name (docs/api.md) and its SI unit ("1" where it has none).
+struct Column {
+  std::string name;
+  std::string unit;
+};
+
+enum class ParticleKind : std::uint8_t { plasma = 0, inside = 1, membrane = 2 };
+
+/// The moving particles at one instant, in SI units. Arrays have one entry a particle; the membrane nodes
+/// come first, cell by cell and counter-clockwise within a cell, so a cell's outline is a run of them.
+struct Frame {
+  double time = 0;  ///< s
+  long step = 0;
+  std::vector<std::int64_t> id;      ///< one number for a particle's whole life
+  std::vector<ParticleKind> kind;
+  std::vector<std::int32_t> cell;    ///< cell it belongs to, -1 for plasma
+  std::vector<float> x, y;           ///< m
+  std::vector<float> u, v;           ///< m/s
+  std::vector<float> p;              ///< Pa
+};
+
+/// What is known when a run starts.
+struct RunHeader {
+  Case resolved;
+  Plan plan;
+  std::vector<Column> columns;       ///< of the series
+  std::vector<int> nodes_per_cell;   ///< membrane nodes of each cell
+  int capacity = 0;                  ///< no frame holds more particles than this
+};
+
+struct Progress {
+  double simulated_time = 0;    ///< s
+  double duration = 0;          ///< s
+  double fraction = 0;
+  long steps = 0;
+  double steps_per_second = 0;
+  double eta_s = 0;             ///< wall time left, s
+};
+
+/// Where a run delivers what it computes. The run calls these in order, from the thread that runs it;
+/// none of them can change the run.
+class Output {
+ public:
+  virtual ~Output() = default;
+  virtual void begin(const RunHeader&) {}
+  /// One value a column of the header.
+  virtual void series_row(std::span<const double>) {}
+  virtual void frame(const Frame&) {}
+  /// Several times a second at most.
+  virtual void progress(const Progress&) {}
+};
+
+}  // namespace rouleau

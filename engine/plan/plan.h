@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/case/case.h"
+
+namespace rouleau {
+
+/// One line of the plan: an effect that the catalogue knows, whether this scene runs it, and why.
+struct PlannedEffect {
+  std::string name;
+  std::string stage;
+  bool on = false;
+  std::string reason;   ///< a sentence for a person
+  std::string pointer;  ///< JSON Pointer to the part of the case that decided, "" if none did
+};
+
+/// What will run, known before anything runs.
+struct Plan {
+  std::vector<PlannedEffect> effects;
+  double spacing = 0;          ///< d0 used, m (the given one, fitted to the vessel's diameter)
+  int particles = 0;           ///< moving particles at the start: plasma, inner fluid, membrane
+  int wall_nodes = 0;
+  int membrane_nodes = 0;
+  double time_step = 0;        ///< s
+  std::string limited_by;      ///< what holds the time step there
+  long steps = 0;
+};
+
+/// @throws CaseError where `effects` asks for what the scene cannot carry, or leaves out what it needs
+Plan make_plan(const Case& resolved);
+
+nlohmann::json to_json(const Plan& plan);
+
+}  // namespace rouleau

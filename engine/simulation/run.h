@@ -1,0 +1,61 @@
+#pragma once
+
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/observe/output.h"
+
+namespace rouleau {
+
+/// The engine's version; the same version and the same case give the same bits.
+const char* engine_version();
+
+enum class Ending {
+  completed,            ///< the whole duration
+  cell_reached_outlet,  ///< whole until a cell met the outlet plane
+  stopped,              ///< the stop token asked for it
+};
+
+struct CellSummary {
+  double peak_velocity = 0;           ///< of the centroid along x, m/s
+  double peak_velocity_x = 0;         ///< where, m
+  double peak_tau = 0;
+  double least_tau = 0;
+  double area_deviation = 0;          ///< the largest |A/A0 - 1|
+};
+
+struct EffectTime {
+  std::string name;
+  double seconds = 0;
+};
+
+/// How a run ended and what it comes to. SI units.
+struct RunSummary {
+  Ending ending = Ending::completed;
+  std::string reason;                 ///< a sentence for a person
+  double simulated_time = 0;          ///< s
+  long steps = 0;
+  double wall_time = 0;               ///< s
+  double steps_per_second = 0;
+  std::vector<CellSummary> cells;
+  double volume_in = 0;               ///< m2 per unit depth, over the run
+  double volume_out = 0;
+  double volume_mismatch = 0;         ///< |out - in| / in
+  double peak_fluid_speed = 0;        ///< m/s
+  double poiseuille_deviation = -1;   ///< eq. 22 at the end, -1 where the scene is no plain vessel
+  long wrong_side = 0;                ///< particles that a membrane let through and that were put back
+  double viscosity_iterations = 0;    ///< mean a step
+  double pressure_iterations = 0;
+  std::vector<EffectTime> effect_times;
+};
+
+/// Runs a case from start to end, delivering to `output`.
+/// @throws CaseError if the case cannot be planned, SimulationError if the run goes unstable
+RunSummary run_case(const Case& resolved, Output& output, std::stop_token stop = {});
+
+nlohmann::json to_json(const RunSummary& summary);
+
+}  // namespace rouleau
