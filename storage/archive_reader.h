@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "engine/observe/output.h"
+#include "storage/archive_error.h"
+
+namespace rouleau::storage {
+
+/// Columns of the time series; `values[c][row]`.
+struct SeriesTable {
+  std::vector<Column> columns;
+  std::vector<std::vector<double>> values;
+};
+
+/// The closed outline of a cell at one instant, counter-clockwise.
+struct Outline {
+  std::vector<float> x, y;  ///< m
+};
+
+/// Reads archives of ours. The file is open only while a call lasts, so a reader never stands in the way of a
+/// writer in the same process. Each call may throw ArchiveError.
+class ArchiveReader {
+ public:
+  explicit ArchiveReader(std::filesystem::path path);
+
+  /// The columns of the series in their order, without their values.
+  std::vector<Column> columns() const;
+  /// The columns named, in that order; none named: all of them.
+  SeriesTable series(const std::vector<std::string>& names = {}) const;
+
+  int frame_count() const;
+  std::vector<double> frame_times() const;  ///< s
+  /// The particles alive in frame k, membrane nodes first as the run gave them.
+  Frame frame(int k) const;
+  /// Of every cell in frame k.
+  std::vector<Outline> outlines(int k) const;
+
+  std::string case_given() const;
+  nlohmann::json case_resolved() const;
+  nlohmann::json plan() const;
+  std::string version() const;  ///< of the engine that wrote it
+  /// How the run ended, as `to_json(RunSummary)` has it; null while it is being written.
+  nlohmann::json summary() const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace rouleau::storage
