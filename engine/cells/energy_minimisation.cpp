@@ -21,13 +21,13 @@ struct Coordinates {
 
 }  // namespace
 
-EnergyMinimisation::EnergyMinimisation(double bend_modulus, double area, const Nodes& start)
+EnergyMinimisation::EnergyMinimisation(const Material& material, double area, const Nodes& start)
     : ring_(static_cast<int>(start.cols())),
-      material_{1.0, bend_modulus, 1.0},
+      material_(material),
       area_(area),
       free_(at_area(ring_.restrict(start))),
       energy_(energy(free_)),
-      stiffest_(1.0 + 16.0 * bend_modulus),
+      stiffest_(1.0 + 16.0 * material.bend_modulus),
       shift_(0.5 * stiffest_) {}
 
 int EnergyMinimisation::run() {

@@ -16,8 +16,9 @@ class EnergyMinimisation {
  public:
   using Nodes = MirroredRing::Nodes;
 
-  /// `start` is mirrored about the x axis and encloses roughly `area`.
-  EnergyMinimisation(double bend_modulus, double area, const Nodes& start);
+  /// `material` has rest length and stretch modulus 1. `start` is mirrored about the x axis and encloses
+  /// roughly `area`.
+  EnergyMinimisation(const Material& material, double area, const Nodes& start);
 
   /// Runs to convergence; returns the number of iterations, or -1 if it does not get there.
   int run();

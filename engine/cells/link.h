@@ -30,17 +30,19 @@ struct LinkLaw {
 };
 
 /// Where a cell squeezes past an obstacle the nodes of its trailing tip are swept together. Eq. 10 alone lets
-/// them collapse to a fraction of the fluid's spacing, so below 0.8 l0 the link stiffens elevenfold.
+/// them collapse to a fraction of the fluid's spacing, so below 0.8 l0 the link stiffens, by default
+/// elevenfold.
 inline LinkLaw link_law(double length, const Material& material) {
-  constexpr double crush_ratio = 0.8, crush_stiffening = 10.0;
+  constexpr double crush_ratio = 0.8;
   const double spring = material.stretch_modulus / material.rest_length;
   const double stretch = length - material.rest_length;
   LinkLaw law{spring * stretch * stretch / 2.0, spring * stretch, spring};
   const double crush = length - crush_ratio * material.rest_length;
   if (crush < 0.0) {
-    law.energy += crush_stiffening * spring * crush * crush / 2.0;
-    law.tension += crush_stiffening * spring * crush;
-    law.slope += crush_stiffening * spring;
+    const double crush_spring = material.crush_stiffening * spring;
+    law.energy += crush_spring * crush * crush / 2.0;
+    law.tension += crush_spring * crush;
+    law.slope += crush_spring;
   }
   return law;
 }

@@ -62,8 +62,9 @@ RestShape rest_shape(const Material& material, int nodes, double area) {
   const double unstretched = nodes / (4.0 * std::tan(std::numbers::pi / nodes));
   if (scaled_area >= unstretched) return describe(regular_polygon(nodes, scaled_area), unit, 0);
 
-  const double bend_modulus = material.bend_modulus / (material.stretch_modulus * unit * unit);
-  EnergyMinimisation minimisation(bend_modulus, scaled_area, flattened(nodes, scaled_area));
+  const Material scaled{1.0, material.bend_modulus / (material.stretch_modulus * unit * unit), 1.0,
+                        material.crush_stiffening};
+  EnergyMinimisation minimisation(scaled, scaled_area, flattened(nodes, scaled_area));
   const int iterations = minimisation.run();
   const std::string request = std::to_string(nodes) + " nodes at " +
                               std::to_string(scaled_area / unstretched) + " of the unstretched area";

@@ -10,8 +10,8 @@
 namespace rouleau::cells {
 
 /// Energy of the stretch springs per unit depth. A link of length l holds
-/// (E_s / l0) [(l - l0)^2 / 2 + 10 (l - 0.8 l0)^2 / 2], the second term only below 0.8 l0, where it keeps the
-/// nodes at a cell's trailing tip from collapsing onto one another.
+/// (E_s / l0) [(l - l0)^2 / 2 + c (l - 0.8 l0)^2 / 2], the second term only below 0.8 l0, where with c =
+/// `crush_stiffening` it keeps the nodes at a cell's trailing tip from collapsing onto one another.
 double stretch_energy(Ring ring, const Material& material);
 
 /// Adds the force on each node, per unit depth: minus the gradient of the energy (eq. 10).
