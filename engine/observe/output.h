@@ -22,30 +22,30 @@ enum class ParticleKind : std::uint8_t { plasma = 0, inside = 1, membrane = 2 };
 struct Frame {
   double time = 0;  ///< s
   long step = 0;
-  std::vector<std::int64_t> id;      ///< one number for a particle's whole life
+  std::vector<std::int64_t> id;  ///< one number for a particle's whole life
   std::vector<ParticleKind> kind;
-  std::vector<std::int32_t> cell;    ///< cell it belongs to, -1 for plasma
-  std::vector<float> x, y;           ///< m
-  std::vector<float> u, v;           ///< m/s
-  std::vector<float> p;              ///< Pa
+  std::vector<std::int32_t> cell;  ///< cell it belongs to, -1 for plasma
+  std::vector<float> x, y;         ///< m
+  std::vector<float> u, v;         ///< m/s
+  std::vector<float> p;            ///< Pa
 };
 
 /// What is known when a run starts.
 struct RunHeader {
   Case resolved;
   Plan plan;
-  std::vector<Column> columns;       ///< of the series
-  std::vector<int> nodes_per_cell;   ///< membrane nodes of each cell
-  int capacity = 0;                  ///< no frame holds more particles than this
+  std::vector<Column> columns;      ///< of the series
+  std::vector<int> nodes_per_cell;  ///< membrane nodes of each cell
+  int capacity = 0;                 ///< no frame holds more particles than this
 };
 
 struct Progress {
-  double simulated_time = 0;    ///< s
-  double duration = 0;          ///< s
+  double simulated_time = 0;  ///< s
+  double duration = 0;        ///< s
   double fraction = 0;
   long steps = 0;
   double steps_per_second = 0;
-  double eta_s = 0;             ///< wall time left, s
+  double eta_s = 0;  ///< wall time left, s
 };
 
 /// Where a run delivers what it computes. The run calls these in order, from the thread that runs it;

@@ -21,12 +21,12 @@ struct PlannedEffect {
 /// What will run, known before anything runs.
 struct Plan {
   std::vector<PlannedEffect> effects;
-  double spacing = 0;          ///< d0 used, m (the given one, fitted to the vessel's diameter)
-  int particles = 0;           ///< moving particles at the start: plasma, inner fluid, membrane
+  double spacing = 0;  ///< d0 used, m (the given one, fitted to the vessel's diameter)
+  int particles = 0;   ///< moving particles at the start: plasma, inner fluid, membrane
   int wall_nodes = 0;
   int membrane_nodes = 0;
-  double time_step = 0;        ///< s
-  std::string limited_by;      ///< what holds the time step there
+  double time_step = 0;    ///< s
+  std::string limited_by;  ///< what holds the time step there
   long steps = 0;
 };
 

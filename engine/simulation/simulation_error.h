@@ -1,31 +1,3 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
-namespace rouleau {
-
-/// A run that went unstable, and what it was doing: the quantity that left its bounds, where and when.
-struct Breach {
-  std::string quantity;   ///< "speed", "pressure", "position", ...
-  double value = 0;       ///< SI
-  double bound = 0;       ///< SI
-  std::string unit;
-  double time = 0;        ///< s, simulated
-  long step = 0;
-  double x = 0, y = 0;    ///< m
-  long particle = -1;     ///< id, -1 if the whole run is meant
-  int cell = -1;          ///< -1 for plasma
-};
-
-class SimulationError : public std::runtime_error {
- public:
-  explicit SimulationError(Breach breach);
-
-  const Breach& breach() const { return breach_; }
-
- private:
-  Breach breach_;
-};
-
-}  // namespace rouleau
+#include "engine/error/simulation_error.h"

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "engine/effects/effect.h"
+
+namespace rouleau::effects {
+
+/// Short-ranged repulsion of a membrane from walls, from other membranes and from distant parts of itself.
+extern const EffectKind contact;
+
+}  // namespace rouleau::effects

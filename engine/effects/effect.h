@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/case/case.h"
+#include "engine/effects/state.h"
+
+namespace rouleau::effects {
+
+/// The stages of a step, in order.
+enum class Stage { boundaries, forces, viscosity, pressure, motion, checks };
+
+std::string_view name_of(Stage stage);
+
+/// One job in the step.
+class Effect {
+ public:
+  virtual ~Effect() = default;
+  virtual void apply(State& state) = 0;
+};
+
+/// Whether a scene calls for an effect, and what in the case decided that.
+struct Need {
+  bool called_for = false;
+  std::string reason;
+  std::string pointer;
+};
+
+/// What the catalogue knows of an effect. It stands beside the effect's code.
+struct EffectKind {
+  std::string_view name;
+  Stage stage;
+  bool optional;  ///< a case may switch it off (or, where the scene can carry it, on)
+  Need (*need)(const Case& scene);
+  std::unique_ptr<Effect> (*make)(State& state);
+};
+
+/// Every effect there is, in the order in which a step runs them.
+const std::vector<const EffectKind*>& catalogue();
+
+/// The usual answers of `EffectKind::need`.
+Need always(std::string reason);
+Need needs_cells(const Case& scene, std::string reason);
+
+}  // namespace rouleau::effects

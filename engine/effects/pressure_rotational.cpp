@@ -1,0 +1,152 @@
+#include "engine/effects/pressure_rotational.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error/simulation_error.h"
+#include "engine/linear/sparse_rows.h"
+#include "engine/linear/two_level_cg.h"
+
+namespace rouleau::effects {
+
+namespace {
+
+constexpr int max_iterations = 2000;
+constexpr double aggregate_width = 5;  // spacings, adjusted to divide the height
+
+/// Weight of the symmetric Laplacian, and its normalisation on a square lattice.
+double weight(double q) {
+  return q < 1 ? (1 - q) * (1 - q) : 0;
+}
+
+class PressureRotational : public Effect {
+ public:
+  explicit PressureRotational(const State& state) {
+    double lambda = 0;
+    const double reach = state.near_radius / state.spacing;
+    for (int a = -4; a <= 4; ++a) {
+      for (int b = -4; b <= 4; ++b) {
+        const double r = std::hypot(a, b);
+        if (r == 0 || r >= reach) continue;
+        density_ += weight(r / reach);
+        lambda += weight(r / reach) * r * r;
+      }
+    }
+    laplacian_scale_ = 4 / (lambda * state.spacing * state.spacing);
+  }
+
+  void apply(State& state) override {
+    find_divergence(state);
+    assemble(state);
+    aggregate(state);
+    const auto& particles = state.particles;
+    const int n = matrix_.rows();
+    increment_.assign(particles.phi.begin(), particles.phi.begin() + n);
+    const linear::Solve solve = solver_.solve(matrix_, right_side_, increment_,
+                                              state.scene.numerics.pressure_tolerance, max_iterations);
+    state.counters.pressure_iterations += solve.iterations;
+    if (!solve.converged) throw_unsolved(state, solve);
+    correct(state);
+  }
+
+ private:
+  void find_divergence(State& state) {
+    const int n = state.particles.active_end();
+    excess_.resize(n);
+    right_side_.resize(n);
+    for (int i = 0; i < n; ++i) {
+      const double divergence = state.operators.velocity_gradient(i, state.particles.u.data()).x +
+                                state.operators.velocity_gradient(i, state.particles.v.data()).y;
+      excess_[i] = divergence - state.source[i];
+      right_side_[i] = -excess_[i] / state.dt;
+    }
+  }
+
+  /// Minus the Laplacian over fluid pairs alone: walls are Neumann by truncation. Pairs with the outlet's
+  /// buffer, where the increment is zero, stay on the diagonal. Where particles are sparse the weights are
+  /// raised by n0 / n_i, or voids would let the increment overshoot.
+  void assemble(const State& state) {
+    const auto& particles = state.particles;
+    const auto& list = state.neighbours;
+    const int n = particles.active_end();
+    const int with_pressure = particles.pressure_end();
+    const double inverse_reach = 1 / state.near_radius;
+    density_scale_.assign(with_pressure, 1);
+    for (int i = 0; i < n; ++i) {
+      double density = 0;
+      for (int k = list.begin(i); k < list.near_end(i); ++k) density += weight(list.r[k] * inverse_reach);
+      for (int k = list.ghost_begin(i); k < list.ghost_end(i); ++k) {
+        density += weight(list.ghost_r[k] * inverse_reach);
+      }
+      density_scale_[i] = std::clamp(density_ / std::max(density, 1e-9), 1.0, 4.0);
+    }
+    matrix_.clear();
+    for (int i = 0; i < n; ++i) {
+      double diagonal = 0;
+      for (int k = list.begin(i); k < list.near_end(i); ++k) {
+        const int j = list.j[k];
+        if (j >= with_pressure) continue;
+        const double a = laplacian_scale_ * weight(list.r[k] * inverse_reach) * 0.5 *
+                         (density_scale_[i] + density_scale_[j]);
+        diagonal += a;
+        if (j < n) matrix_.add(j, static_cast<float>(-a));
+      }
+      matrix_.end_row(diagonal > 0 ? diagonal : 1);
+    }
+  }
+
+  void aggregate(const State& state) {
+    const auto& outline = state.outline;
+    const int across =
+        std::max(1, static_cast<int>(std::lround(outline.height() / (aggregate_width * state.spacing))));
+    const double width = outline.height() / across;
+    const int along = static_cast<int>(outline.length() / width) + 1;
+    aggregate_.resize(matrix_.rows());
+    for (int i = 0; i < matrix_.rows(); ++i) {
+      const int a = std::clamp(static_cast<int>(state.particles.x[i] / width), 0, along - 1);
+      const int b = std::clamp(static_cast<int>(state.particles.y[i] / width), 0, across - 1);
+      aggregate_[i] = a * across + b;
+    }
+    solver_.prepare(matrix_, aggregate_, along * across);
+  }
+
+  void correct(State& state) {
+    auto& particles = state.particles;
+    const int n = matrix_.rows();
+    for (int i = 0; i < n; ++i) particles.phi[i] = increment_[i];
+    for (int i = n; i < particles.size(); ++i) particles.phi[i] = 0;
+    for (int i = 0; i < n; ++i) {
+      const operators::Gradient g = state.operators.pressure_gradient(i, particles.phi.data());
+      particles.u[i] -= state.dt * g.x;
+      particles.v[i] -= state.dt * g.y;
+      particles.p[i] += particles.phi[i] - state.viscosity * excess_[i];
+    }
+  }
+
+  static void throw_unsolved(const State& state, const linear::Solve& solve) {
+    throw SimulationError({.quantity = "residual of the pressure equation",
+                           .value = solve.residual,
+                           .bound = state.scene.numerics.pressure_tolerance,
+                           .unit = "1",
+                           .time = state.time * state.scales.time(),
+                           .step = state.step});
+  }
+
+  double density_ = 0;
+  double laplacian_scale_ = 0;
+  linear::SparseRows matrix_;
+  linear::TwoLevelCg solver_;
+  std::vector<int> aggregate_;
+  std::vector<double> excess_, right_side_, increment_, density_scale_;
+};
+
+}  // namespace
+
+const EffectKind pressure_rotational{
+    "pressure_rotational", Stage::pressure, false,
+    [](const Case&) {
+      return Need{true, "plasma is incompressible", "/plasma"};
+    },
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<PressureRotational>(state); }};
+
+}  // namespace rouleau::effects

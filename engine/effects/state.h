@@ -1,0 +1,97 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/case/case.h"
+#include "engine/case/scales.h"
+#include "engine/cells/material.h"
+#include "engine/cells/ring.h"
+#include "engine/cells/stiffness.h"
+#include "engine/geometry/outline.h"
+#include "engine/operators/least_squares.h"
+#include "engine/particles/neighbour_list.h"
+#include "engine/particles/particle_set.h"
+
+namespace rouleau::effects {
+
+/// A red cell in the simulation: a run of membrane nodes, which are particles like any other.
+struct CellState {
+  int first_node = 0;  ///< index of its first node among the particles
+  int nodes = 0;
+  cells::Material material;
+  double start_area = 0;           ///< enclosed area that it keeps
+  double start_inertia_nodes = 0;  ///< what tau refers to (eq. 23)
+  double start_inertia_area = 0;
+};
+
+/// A force that is taken at the end of the step, so that a stiff membrane does not shrink the step.
+class ImplicitForce {
+ public:
+  virtual ~ImplicitForce() = default;
+  /// Adds to `acceleration` its change for the velocities `velocity`, per unit of time; both interleaved
+  /// (u0, v0, u1, v1, ...) over the active particles.
+  virtual void add_rate(const double* velocity, double* acceleration) const = 0;
+};
+
+/// Forces on the membrane nodes, per unit depth, and how they answer to a displacement.
+struct MembraneLoad {
+  std::vector<double> fx, fy;  ///< [membrane nodes]
+  std::vector<cells::Stiffness> stiffness;
+};
+
+/// What happened so far, for the summary.
+struct Counters {
+  long wrong_side = 0;
+  long emitted = 0, absorbed = 0;
+  long viscosity_iterations = 0, pressure_iterations = 0;
+  double peak_speed = 0;
+};
+
+/// Everything that effects share: the particles, the operators on them, and what one effect of a step
+/// leaves for the next. Lengths in vessel diameters, velocities in mean inflow velocities, density 1.
+struct State {
+  State(const Case& scene, const Scales& scales, double spacing);
+
+  Case scene;
+  Scales scales;
+  geometry::Outline outline;
+  double spacing;      ///< d0
+  double viscosity;    ///< kinematic
+  double radius;       ///< of the least-squares fits
+  double near_radius;  ///< of the pressure equation and of shifting: 2.1 d0
+
+  double time = 0;
+  long step = 0;
+  double dt = 0;
+  double speed = 0;  ///< the fastest particle's, at the end of the last step
+
+  particles::ParticleSet particles;
+  particles::NeighbourList neighbours;
+  operators::LeastSquares operators;
+  std::vector<CellState> cells;
+  MembraneLoad load;
+
+  // Over the active particles, valid within a step.
+  std::vector<double> ax, ay;  ///< acceleration by forces of this step
+  std::vector<const ImplicitForce*> implicit_forces;
+  std::vector<double> source;                    ///< the divergence that is wanted there
+  std::vector<double> divergence;                ///< of the velocity at the end of the step
+  std::vector<double> pressure_gx, pressure_gy;  ///< gradient of p at the end of the step
+  std::vector<double> shift_x, shift_y;          ///< displacement beside the flow's
+  // Over all particles.
+  std::vector<double> next_x, next_y;  ///< positions carried along by the flow alone
+
+  Counters counters;
+
+  cells::Ring ring(const CellState& cell) const;
+  /// Where row k of the particles across the vessel (1 to rows) is, and by how much it is displaced along
+  /// x against its neighbours (-0.5 to 0.5 spacings, by the golden ratio), so that no column crosses the
+  /// inlet or the outlet at once.
+  int rows() const;
+  double row_y(int k) const;
+  double row_offset(int k) const;
+  /// Axial velocity of the developed flow in the free vessel.
+  double developed_velocity(double y) const;
+};
+
+}  // namespace rouleau::effects

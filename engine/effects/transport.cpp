@@ -1,0 +1,66 @@
+#include "engine/effects/transport.h"
+
+namespace rouleau::effects {
+
+namespace {
+
+class Transport : public Effect {
+ public:
+  void apply(State& state) override {
+    auto& particles = state.particles;
+    const int n = particles.active_end();
+    u_ = particles.u;
+    v_ = particles.v;
+    p_ = particles.p;
+    for (int i = 0; i < n; ++i) {
+      const operators::Gradient gu = state.operators.velocity_gradient(i, u_.data());
+      const operators::Gradient gv = state.operators.velocity_gradient(i, v_.data());
+      const operators::Gradient gp = state.operators.pressure_gradient(i, p_.data());
+      state.divergence[i] = gu.x + gv.y - state.source[i];
+      state.pressure_gx[i] = gp.x;
+      state.pressure_gy[i] = gp.y;
+      if (i < particles.membrane_end()) continue;
+      const double sx = state.shift_x[i], sy = state.shift_y[i];
+      particles.u[i] += sx * gu.x + sy * gu.y;
+      particles.v[i] += sx * gv.x + sy * gv.y;
+      // The pressure field stands still, but beside a membrane it moves along with it.
+      const operators::Gradient field = membrane_velocity(state, i);
+      particles.p[i] +=
+          (sx + state.dt * (u_[i] - field.x)) * gp.x + (sy + state.dt * (v_[i] - field.y)) * gp.y;
+    }
+    for (int i = 0; i < particles.inlet_end(); ++i) {
+      particles.x[i] = state.next_x[i];
+      particles.y[i] = state.next_y[i];
+    }
+    for (int i = particles.membrane_end(); i < n; ++i) {
+      particles.x[i] += state.shift_x[i];
+      particles.y[i] += state.shift_y[i];
+    }
+  }
+
+ private:
+  operators::Gradient membrane_velocity(const State& state, int i) const {
+    const auto& list = state.neighbours;
+    operators::Gradient sum;
+    int count = 0;
+    for (int k = list.begin(i); k < list.end(i); ++k) {
+      const int j = list.j[k];
+      if (j >= state.particles.membrane_end()) continue;
+      sum.x += u_[j];
+      sum.y += v_[j];
+      ++count;
+    }
+    if (count == 0) return {};
+    return {sum.x / count, sum.y / count};
+  }
+
+  std::vector<double> u_, v_, p_;
+};
+
+}  // namespace
+
+const EffectKind transport{"transport", Stage::motion, false,
+                           [](const Case&) { return always("velocity and pressure are fields"); },
+                           [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Transport>(); }};
+
+}  // namespace rouleau::effects

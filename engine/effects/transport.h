@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/effects/effect.h"
+
+namespace rouleau::effects {
+
+/// Ends the motion: particles take their new places, and velocity and pressure follow as the fields they
+/// are. Pressure is a field of the vessel and no property that a particle carries along.
+extern const EffectKind transport;
+
+}  // namespace rouleau::effects

@@ -1,0 +1,28 @@
+#include "engine/error/simulation_error.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace rouleau {
+
+namespace {
+
+std::string describe(const Breach& breach) {
+  std::ostringstream text;
+  text << std::setprecision(4) << "the run went unstable: " << breach.quantity << " " << breach.value << " "
+       << breach.unit << " is beyond its bound of " << breach.bound << " " << breach.unit
+       << " at t = " << breach.time * 1e3 << " ms (step " << breach.step << ")";
+  if (breach.particle >= 0) {
+    text << ", at x = " << breach.x * 1e6 << " um, y = " << breach.y * 1e6 << " um, particle "
+         << breach.particle;
+    if (breach.cell >= 0) text << " of cell " << breach.cell;
+  }
+  return text.str();
+}
+
+}  // namespace
+
+SimulationError::SimulationError(Breach breach)
+    : std::runtime_error(describe(breach)), breach_(std::move(breach)) {}
+
+}  // namespace rouleau

@@ -1,0 +1,21 @@
+#include "engine/observe/poiseuille.h"
+
+#include <cmath>
+
+namespace rouleau::observe {
+
+double poiseuille_deviation(const effects::State& state) {
+  const auto& particles = state.particles;
+  double sum = 0;
+  int count = 0;
+  for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {
+    const double along = particles.x[i] / state.outline.length();
+    if (along <= 0.8 || along >= 0.95) continue;
+    const double exact = state.developed_velocity(particles.y[i]);
+    sum += std::abs((particles.u[i] - exact) / exact);
+    ++count;
+  }
+  return count ? sum / count : 0;
+}
+
+}  // namespace rouleau::observe

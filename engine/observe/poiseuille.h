@@ -1,0 +1,11 @@
+#pragma once
+
+#include "engine/effects/state.h"
+
+namespace rouleau::observe {
+
+/// Mean relative deviation of the axial velocity from the parabola (eq. 22, against eq. 21 with its sign
+/// mended) over the plasma between 80 % and 95 % of the vessel's length: 64 to 76 um in the study's.
+double poiseuille_deviation(const effects::State& state);
+
+}  // namespace rouleau::observe

@@ -1,0 +1,54 @@
+#include "engine/observe/series.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/observe/cell_measures.h"
+#include "engine/observe/cross_section.h"
+
+namespace rouleau::observe {
+
+std::vector<Column> series_columns(const Case& scene) {
+  std::vector<Column> columns{{"time", "s"}};
+  for (std::size_t k = 0; k < scene.cells.size(); ++k) {
+    const std::string cell = "cell" + std::to_string(k) + ".";
+    for (const Column& column :
+         {Column{"x", "m"}, Column{"y", "m"}, Column{"u", "m/s"}, Column{"v", "m/s"}, Column{"tau", "1"},
+          Column{"tau_area", "1"}, Column{"area", "m2"}, Column{"perimeter", "m"}, Column{"angle", "deg"}}) {
+      columns.push_back({cell + column.name, column.unit});
+    }
+  }
+  for (const Column& column :
+       {Column{"inflow", "m2/s"}, Column{"outflow", "m2/s"}, Column{"pressure_drop", "Pa"},
+        Column{"particles", "1"}, Column{"time_step", "s"}, Column{"divergence", "1"}}) {
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+double inflow_plane(const effects::State& state) {
+  return 2 * state.spacing;
+}
+
+double outflow_plane(const effects::State& state) {
+  return state.outline.length() - 2 * state.spacing;
+}
+
+std::vector<double> series_row(const effects::State& state) {
+  const Scales& s = state.scales;
+  std::vector<double> row{state.time * s.time()};
+  for (const effects::CellState& cell : state.cells) {
+    const CellMeasures m = measure_cell(state, cell);
+    row.insert(row.end(), {m.x, m.y, m.u, m.v, m.tau, m.tau_area, m.area, m.perimeter, m.angle});
+  }
+  const CrossSection in = measure_cross_section(state, inflow_plane(state));
+  const CrossSection out = measure_cross_section(state, outflow_plane(state));
+  double divergence = 0;
+  for (const double d : state.divergence) divergence = std::max(divergence, std::abs(d));
+  row.insert(row.end(), {in.flux * s.flux(), out.flux * s.flux(), (in.pressure - out.pressure) * s.pressure(),
+                         static_cast<double>(state.particles.active_end()), state.dt * s.time(),
+                         divergence * state.spacing});
+  return row;
+}
+
+}  // namespace rouleau::observe

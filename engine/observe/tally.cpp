@@ -1,0 +1,58 @@
+#include "engine/observe/tally.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/observe/cell_measures.h"
+#include "engine/observe/cross_section.h"
+#include "engine/observe/poiseuille.h"
+#include "engine/observe/series.h"
+
+namespace rouleau::observe {
+
+Tally::Tally(const effects::State& state)
+    : cells_(state.cells.size(), CellSummary{.peak_tau = 1, .least_tau = 1}),
+      plain_vessel_(state.cells.empty() && state.outline.bumps().empty()) {}
+
+void Tally::add(const effects::State& state) {
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    const CellMeasures m = measure_cell(state, state.cells[k]);
+    const double length = state.scales.length;
+    CellSummary& cell = cells_[k];
+    if (m.u > cell.peak_velocity) {
+      cell.peak_velocity = m.u;
+      cell.peak_velocity_x = m.x;
+    }
+    cell.peak_tau = std::max(cell.peak_tau, m.tau);
+    cell.least_tau = std::min(cell.least_tau, m.tau);
+    cell.area_deviation =
+        std::max(cell.area_deviation, std::abs(m.area / (state.cells[k].start_area * length * length) - 1));
+  }
+  add_flow(state);
+  const double half = 0.5 * state.scene.duration / state.scales.time();
+  if (plain_vessel_ && state.time >= half) {
+    const double deviation = poiseuille_deviation(state);
+    deviation_sum_ += deviation;
+    deviation_worst_ = std::max(deviation_worst_, deviation);
+    ++deviation_samples_;
+  }
+}
+
+void Tally::add_flow(const effects::State& state) {
+  const double area = state.dt * state.scales.length * state.scales.length;
+  volume_in_ += area * measure_cross_section(state, inflow_plane(state)).flux;
+  volume_out_ += area * measure_cross_section(state, outflow_plane(state)).flux;
+}
+
+void Tally::report(RunSummary& summary) const {
+  summary.cells = cells_;
+  summary.volume_in = volume_in_;
+  summary.volume_out = volume_out_;
+  summary.volume_mismatch = volume_in_ > 0 ? std::abs(volume_out_ - volume_in_) / volume_in_ : 0;
+  if (deviation_samples_ > 0) {
+    summary.poiseuille_deviation = deviation_sum_ / static_cast<double>(deviation_samples_);
+    summary.poiseuille_deviation_worst = deviation_worst_;
+  }
+}
+
+}  // namespace rouleau::observe

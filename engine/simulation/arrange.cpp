@@ -1,0 +1,98 @@
+#include "engine/simulation/arrange.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/cells/rest_shape.h"
+#include "engine/cells/shape.h"
+
+namespace rouleau {
+
+namespace {
+
+using effects::CellState;
+using effects::State;
+using particles::Group;
+
+// In spacings: how near to a wall and to a membrane fluid is put.
+constexpr double wall_gap = 0.55;
+constexpr double membrane_gap = 0.5;
+constexpr int ghost_layers = 3;
+constexpr double wall_extension = 8;
+
+CellState place_cell(State& state, const RedCell& cell, int index) {
+  const Scales& scales = state.scales;
+  const double diameter = cell.diameter / scales.length;
+  CellState placed;
+  placed.first_node = state.particles.size();
+  placed.nodes = static_cast<int>(std::lround(std::numbers::pi * diameter / state.spacing));
+  placed.material = {cell.stretch_modulus / scales.tension(), cell.bend_modulus / scales.bending(),
+                     std::numbers::pi * diameter / placed.nodes};
+  const double area = cell.fill * std::numbers::pi * diameter * diameter / 4;
+  const cells::RestShape shape = cells::rest_shape(placed.material, placed.nodes, area);
+  const double angle = cell.angle * std::numbers::pi / 180;
+  for (int q = 0; q < placed.nodes; ++q) {
+    const double x = shape.x[q] * std::cos(angle) - shape.y[q] * std::sin(angle);
+    const double y = shape.x[q] * std::sin(angle) + shape.y[q] * std::cos(angle);
+    state.particles.add(Group::membrane, cell.x / scales.length + x, cell.y / scales.length + y, index);
+  }
+  return placed;
+}
+
+/// The cell that a place lies in (-1: none), or nothing if a membrane is too near.
+bool free_place(const State& state, double x, double y, int& cell) {
+  cell = -1;
+  for (std::size_t c = 0; c < state.cells.size(); ++c) {
+    const cells::Ring ring = state.ring(state.cells[c]);
+    if (cells::nearest(ring, x, y).distance < membrane_gap * state.spacing) return false;
+    if (cells::contains(ring, x, y)) cell = static_cast<int>(c);
+  }
+  return state.outline.distance(x, y).value >= wall_gap * state.spacing;
+}
+
+}  // namespace
+
+void place_cells(State& state) {
+  for (const RedCell& cell : state.scene.cells) {
+    CellState placed = place_cell(state, cell, static_cast<int>(state.cells.size()));
+    const cells::Shape shape = cells::measure(state.ring(placed));
+    placed.start_area = shape.area;
+    placed.start_inertia_nodes = shape.inertia_nodes;
+    placed.start_inertia_area = shape.inertia_area;
+    state.cells.push_back(placed);
+  }
+  auto& particles = state.particles;
+  for (int i = 0; i < particles.size(); ++i) particles.u[i] = state.developed_velocity(particles.y[i]);
+}
+
+void place_fluid(State& state) {
+  const double d0 = state.spacing;
+  for (int k = 1; k <= state.rows(); ++k) {
+    const double y = state.row_y(k);
+    double x = 0.5 * d0 + state.row_offset(k);
+    for (; x < state.outline.length(); x += d0) {
+      int cell = -1;
+      if (!free_place(state, x, y, cell)) continue;
+      const int i = state.particles.add(Group::fluid, x, y, cell);
+      state.particles.u[i] = state.developed_velocity(y);
+    }
+  }
+}
+
+void place_walls(State& state) {
+  const auto nodes = state.outline.wall_nodes(state.spacing, wall_extension * state.spacing);
+  // Upstream of the inlet a plug slips along the walls: they are no velocity data there.
+  const bool plug = state.scene.inflow.profile == Profile::plug;
+  for (const auto& node : nodes) {
+    const bool slips = plug && node.x < -1e-9;
+    state.particles.add(slips ? Group::ghost : Group::wall, node.x, node.y);
+  }
+  for (const auto& node : nodes) {
+    for (int layer = 1; layer <= ghost_layers; ++layer) {
+      const double depth = layer * state.spacing;
+      state.particles.add(Group::ghost, node.x - depth * node.nx, node.y - depth * node.ny);
+    }
+  }
+}
+
+}  // namespace rouleau

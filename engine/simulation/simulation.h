@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/effects/effect.h"
+#include "engine/plan/plan.h"
+
+namespace rouleau {
+
+/// A planned scene and its state, advanced step by step. Knows no output and no clock but the one that
+/// measures what each effect costs.
+class Simulation {
+ public:
+  /// Places the particles of the plan at time 0.
+  /// @throws CaseError as make_plan
+  explicit Simulation(const Case& resolved);
+
+  const Plan& plan() const { return plan_; }
+  const effects::State& state() const { return state_; }
+
+  double time() const;  ///< s
+  bool finished() const;
+
+  /// Advances by one step through the effects of the plan.
+  /// @throws SimulationError when a value is not finite, a speed is out of bounds or a solver fails
+  void step();
+
+  /// Whether a node of a membrane is within half a spacing of the outlet plane.
+  bool cell_at_outlet() const;
+
+  struct Cost {
+    const effects::EffectKind* kind;
+    double seconds = 0;
+  };
+  /// Wall time spent in each effect so far, in the order in which they run.
+  std::vector<Cost> costs() const;
+  double operator_seconds() const { return operator_seconds_; }
+
+ private:
+  struct Running {
+    const effects::EffectKind* kind;
+    std::unique_ptr<effects::Effect> effect;
+    double seconds = 0;
+  };
+
+  void run_stage(effects::Stage stage);
+  void build_operators();
+
+  Plan plan_;
+  effects::State state_;
+  std::vector<Running> effects_;
+  double duration_;
+  double planned_step_;
+  double operator_seconds_ = 0;
+};
+
+}  // namespace rouleau
