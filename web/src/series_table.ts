@@ -1,0 +1,81 @@
+import type { Series } from "./model.ts";
+
+type Value = number | null;
+
+/** The series so far, column by column; grows as rows arrive. */
+export class SeriesTable {
+  private columns = new Map<string, Value[]>();
+  private count = 0;
+
+  get rows(): number {
+    return this.count;
+  }
+
+  clear(): void {
+    this.columns.clear();
+    this.count = 0;
+  }
+
+  append(series: Series): void {
+    for (const name of series.columns) {
+      if (!this.columns.has(name)) this.columns.set(name, []);
+    }
+    series.columns.forEach((name, k) => {
+      const column = this.columns.get(name)!;
+      for (const row of series.rows) column.push(row[k] ?? null);
+    });
+    this.count += series.rows.length;
+  }
+
+  column(name: string): Value[] {
+    return this.columns.get(name) ?? [];
+  }
+
+  get cells(): number {
+    let cells = 0;
+    while (this.columns.has(`cell${cells}.x`)) cells++;
+    return cells;
+  }
+}
+
+/**
+ * The rows in which the cell is further along than ever before: a curve over position needs ascending
+ * positions, and a cell that is held up may be pushed back a little.
+ */
+export function onlyForward(x: Value[], y: Value[]): [number[], Value[]] {
+  const xs: number[] = [];
+  const ys: Value[] = [];
+  let furthest = -Infinity;
+  x.forEach((position, i) => {
+    if (position === null || position <= furthest) return;
+    furthest = position;
+    xs.push(position);
+    ys.push(y[i] ?? null);
+  });
+  return [xs, ys];
+}
+
+/** Curves of different abscissas on one: `[x, y0, y1, ...]`, null where a curve has no point. */
+export function joinCurves(curves: [number[], Value[]][]): [number[], ...Value[][]] {
+  const xs = [...new Set(curves.flatMap(([x]) => x))].sort((a, b) => a - b);
+  const place = new Map(xs.map((x, i) => [x, i]));
+  const joined = curves.map(([x, y]) => {
+    const column = new Array<Value>(xs.length).fill(null);
+    x.forEach((value, i) => (column[place.get(value)!] = y[i] ?? null));
+    return column;
+  });
+  return [xs, ...joined];
+}
+
+/** Linear between the rows; undefined outside of them or where a value is missing. */
+export function valueAt(time: Value[], values: Value[], wanted: number): number | undefined {
+  const after = time.findIndex((t) => t !== null && t >= wanted - 1e-12);
+  if (after < 0) return undefined;
+  const right = values[after];
+  const left = values[after - 1];
+  const t1 = time[after]!;
+  const t0 = time[after - 1];
+  if (right == null) return undefined;
+  if (left == null || t0 == null || t1 === t0) return right;
+  return left + ((right - left) * (wanted - t0)) / (t1 - t0);
+}

@@ -1,0 +1,204 @@
+import { readTheme, speedColour, type Theme } from "./colours.ts";
+import { h } from "./dom.ts";
+import { areaAndCentroid, mapToWidth, niceStep, stretchAbout, type Mapping } from "./geometry.ts";
+import type { Case, Frame, Outline, Particles } from "./model.ts";
+
+const margins = { left: 14, right: 14, top: 8, bottom: 34 };
+/** Thickness of the wall as drawn, px. */
+const wall = 5;
+/** Width of the close-up, in vessel diameters. */
+const closeUpWidth = 4;
+const colourSteps = 24;
+
+export interface Scene {
+  vessel: Case;
+  frame: Frame | undefined;
+  trail: Frame[];
+  /** Whether the window stays close about the first cell instead of showing the whole vessel. */
+  closeUp: boolean;
+  /** The speed that the last colour stands for, m/s. */
+  topSpeed: number;
+}
+
+function trace(context: CanvasRenderingContext2D, map: Mapping, outline: Outline): void {
+  context.beginPath();
+  outline.x.forEach((x, i) => context.lineTo(map.toX(x), map.toY(outline.y[i]!)));
+  context.closePath();
+}
+
+function drawParticles(
+  context: CanvasRenderingContext2D,
+  map: Mapping,
+  particles: Particles,
+  topSpeed: number,
+  size: number,
+): void {
+  const paths = Array.from({ length: colourSteps }, () => new Path2D());
+  particles.x.forEach((x, i) => {
+    const fraction = Math.hypot(particles.u[i]!, particles.v[i]!) / topSpeed;
+    const step = Math.min(colourSteps - 1, Math.floor(fraction * colourSteps));
+    paths[step]!.rect(map.toX(x) - size / 2, map.toY(particles.y[i]!) - size / 2, size, size);
+  });
+  paths.forEach((path, step) => {
+    context.fillStyle = speedColour(step / (colourSteps - 1));
+    context.fill(path);
+  });
+}
+
+function drawPastCell(context: CanvasRenderingContext2D, map: Mapping, outline: Outline, colour: string): void {
+  trace(context, map, outline);
+  context.globalAlpha = 0.5;
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.stroke();
+  context.globalAlpha = 1;
+}
+
+/** Over the particles' many colours a cell is an outline with a halo; else it is filled as well. */
+function drawCell(
+  context: CanvasRenderingContext2D,
+  map: Mapping,
+  outline: Outline,
+  colour: string,
+  overParticles: boolean,
+): void {
+  trace(context, map, outline);
+  if (overParticles) {
+    context.strokeStyle = "white";
+    context.lineWidth = 5;
+    context.stroke();
+  } else {
+    context.globalAlpha = 0.25;
+    context.fillStyle = colour;
+    context.fill();
+    context.globalAlpha = 1;
+  }
+  context.strokeStyle = colour;
+  context.lineWidth = 2;
+  context.stroke();
+}
+
+function drawThrombi(context: CanvasRenderingContext2D, map: Mapping, scene: Case, theme: Theme): void {
+  context.fillStyle = theme.tissue;
+  context.strokeStyle = theme.text;
+  context.lineWidth = 1.5;
+  for (const thrombus of scene.thrombi ?? []) {
+    const lower = thrombus.wall === "lower";
+    context.beginPath();
+    context.arc(
+      map.toX(thrombus.x),
+      map.toY(lower ? 0 : scene.vessel.diameter),
+      thrombus.radius * map.scale,
+      lower ? Math.PI : 0,
+      lower ? 2 * Math.PI : Math.PI,
+    );
+    context.fill();
+    context.stroke();
+  }
+}
+
+function drawAxis(context: CanvasRenderingContext2D, map: Mapping, from: number, to: number, theme: Theme): void {
+  const pixels = (to - from) * map.scale;
+  const step = niceStep(to - from, Math.max(2, Math.floor(pixels / 85)));
+  const y = map.toY(0) + wall;
+  context.fillStyle = theme.quiet;
+  context.strokeStyle = theme.quiet;
+  context.lineWidth = 1;
+  context.font = "12px system-ui, sans-serif";
+  context.textBaseline = "top";
+  for (let k = Math.ceil(from / step - 1e-9); k * step <= to * (1 + 1e-9); k++) {
+    const x = map.toX(k * step);
+    context.beginPath();
+    context.moveTo(x, y + 2);
+    context.lineTo(x, y + 6);
+    context.stroke();
+    const last = (k + 1) * step > to * (1 + 1e-9);
+    context.textAlign = last && map.toX(to) - x < 24 ? "right" : k === 0 ? "left" : "center";
+    const text = Number((k * step * 1e6).toPrecision(6)).toString();
+    context.fillText(last ? `${text} µm` : text, x + (last && context.textAlign === "right" ? margins.right - 2 : 0), y + 9);
+  }
+}
+
+/** The vessel to scale: walls, thrombi, particles coloured by speed, the cells and where they were. */
+export class VesselView {
+  readonly canvas = h("canvas", { role: "img", "aria-label": "The vessel and its cells" });
+  private scene: Scene | undefined;
+  private request = 0;
+  private readonly observer = new ResizeObserver(() => this.redraw());
+  readonly element = h("div", { class: "vessel" }, this.canvas);
+
+  constructor() {
+    this.observer.observe(this.element);
+  }
+
+  show(scene: Scene): void {
+    this.scene = scene;
+    this.redraw();
+  }
+
+  redraw(): void {
+    cancelAnimationFrame(this.request);
+    this.request = requestAnimationFrame(() => this.draw());
+  }
+
+  private window(scene: Scene): [number, number] {
+    const { length, diameter } = scene.vessel.vessel;
+    if (!scene.closeUp) return [0, length];
+    const first = scene.frame?.cells[0];
+    const centre = first ? areaAndCentroid(first.x, first.y).x : (scene.vessel.cells?.[0]?.x ?? 0);
+    return stretchAbout(centre, closeUpWidth * diameter, length);
+  }
+
+  private draw(): void {
+    const { scene, canvas } = this;
+    const width = this.element.clientWidth;
+    if (!scene || width === 0) return;
+    const { diameter } = scene.vessel.vessel;
+    const [x0, x1] = this.window(scene);
+    const map = mapToWidth({ x0, x1, y0: 0, y1: diameter }, width, margins);
+    const ratio = window.devicePixelRatio || 1;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(map.height * ratio);
+    canvas.style.height = `${map.height}px`;
+    const context = canvas.getContext("2d")!;
+    context.scale(ratio, ratio);
+
+    const theme = readTheme();
+    const [left, right] = [map.toX(x0), map.toX(x1)];
+    const [top, bottom] = [map.toY(diameter), map.toY(0)];
+    context.fillStyle = theme.tissue;
+    context.fillRect(left, top - wall, right - left, bottom - top + 2 * wall);
+    context.fillStyle = theme.lumen;
+    context.fillRect(left, top, right - left, bottom - top);
+
+    context.save();
+    context.beginPath();
+    context.rect(left, top, right - left, bottom - top);
+    context.clip();
+    if (scene.frame?.particles) {
+      const spacing = Math.sqrt((scene.vessel.vessel.length * diameter) / scene.frame.particles.x.length);
+      drawParticles(context, map, scene.frame.particles, scene.topSpeed, Math.max(1, spacing * map.scale));
+    }
+    drawThrombi(context, map, scene.vessel, theme);
+    const colour = (k: number) => theme.cells[k % theme.cells.length]!;
+    for (const past of scene.trail) past.cells.forEach((cell, k) => drawPastCell(context, map, cell, colour(k)));
+    const overParticles = scene.frame?.particles !== undefined;
+    scene.frame?.cells.forEach((cell, k) => drawCell(context, map, cell, colour(k), overParticles));
+    context.restore();
+
+    context.strokeStyle = theme.text;
+    context.lineWidth = 1.5;
+    for (const y of [top, bottom]) {
+      context.beginPath();
+      context.moveTo(left, y);
+      context.lineTo(right, y);
+      context.stroke();
+    }
+    drawAxis(context, map, x0, x1, theme);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.request);
+    this.observer.disconnect();
+  }
+}
