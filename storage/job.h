@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@ namespace rouleau::storage {
 using TimeMs = std::int64_t;
 
 enum class JobState { queued, running, cancelling, succeeded, failed, cancelled };
+
+inline constexpr std::array all_job_states{JobState::queued,    JobState::running, JobState::cancelling,
+                                           JobState::succeeded, JobState::failed,  JobState::cancelled};
 
 /// The state's name in the API and in the database.
 std::string_view to_string(JobState state);
@@ -66,10 +70,10 @@ struct ClaimedJob {
 using Label = std::pair<std::string, std::string>;
 
 struct JobQuery {
-  std::vector<JobState> states;  ///< any of them; empty: every state
-  std::vector<Label> labels;     ///< all of them
-  int page_size = 50;            ///< 1 to 1000, clamped
-  std::string page_token;        ///< of the page before; empty: the newest
+  std::vector<JobState> states{};  ///< any of them; empty: every state
+  std::vector<Label> labels{};     ///< all of them
+  int page_size = 50;              ///< 1 to 1000, clamped
+  std::string page_token{};        ///< of the page before; empty: the newest
 };
 
 struct JobPage {

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <string>
+
+#include "storage/job_store.h"
+
+namespace rouleau::storage {
+
+/// A folder of the test's own, gone with it.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "rouleau-test-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp failed");
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A clock that stands until it is moved.
+struct BentClock {
+  std::atomic<TimeMs> now = 1'800'000'000'000;
+
+  Clock clock() {
+    return [this] { return now.load(); };
+  }
+};
+
+inline NewJob plain_job(const std::string& name = "plain", int priority = 0) {
+  NewJob job;
+  job.name = name;
+  job.case_given = R"({"version":1})";
+  job.case_resolved = R"({"version":1,"name":")" + name + "\"}";
+  job.plan = R"({"particles":10})";
+  job.priority = priority;
+  return job;
+}
+
+inline const std::string some_sha256(64, 'a');
+
+}  // namespace rouleau::storage
