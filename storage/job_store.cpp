@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Statement.h>
 
 #include "storage/job_rows.h"
+#include "storage/job_statements.h"
 #include "storage/sha256.h"
 #include "storage/sqlite/database.h"
 #include "storage/sqlite/folder_lock.h"
@@ -19,26 +20,6 @@ using SQLite::Database;
 using SQLite::Statement;
 
 constexpr int reader_connections = 4;
-
-// Takes a job from its holder: what ran waits again, from the start; what was being cancelled is cancelled.
-// Binds :now and :not_before.
-constexpr const char* give_back =
-    "UPDATE jobs SET "
-    "  state = iif(state = 'running', 'queued', 'cancelled'),"
-    "  started_at = iif(state = 'running', NULL, started_at),"
-    "  progress = iif(state = 'running', NULL, progress),"
-    "  not_before = iif(state = 'running', :not_before, NULL),"
-    "  ended_at = iif(state = 'running', NULL, :now),"
-    "  lease_owner = NULL, lease_until = NULL "
-    "WHERE lease_owner IS NOT NULL AND ";
-
-// The end of an attempt by whoever still holds it. Binds :now, :id and :attempt.
-std::string end_attempt(const std::string& assignments, const std::string& from = "'running', 'cancelling'") {
-  return "UPDATE jobs SET " + assignments +
-         ", ended_at = :now, lease_owner = NULL, lease_until = NULL "
-         "WHERE id = :id AND attempt = :attempt AND state IN (" +
-         from + ")";
-}
 
 void bind_attempt(Statement& statement, std::string_view id, int attempt) {
   statement.bind(":id", std::string(id));
@@ -163,13 +144,7 @@ std::map<JobState, std::int64_t> JobStore::counts() {
 
 std::optional<ClaimedJob> JobStore::claim(std::string_view owner, std::chrono::milliseconds lease) {
   return parts_->writer.run([&](Database& db) -> std::optional<ClaimedJob> {
-    Statement update(db,
-                     "UPDATE jobs SET state = 'running', attempt = attempt + 1, started_at = :now, "
-                     "  not_before = NULL, lease_owner = :owner, lease_until = :now + :lease "
-                     "WHERE id = (SELECT id FROM jobs WHERE state = 'queued' "
-                     "            AND (not_before IS NULL OR not_before <= :now) "
-                     "            ORDER BY priority DESC, id LIMIT 1) "
-                     "RETURNING id");
+    Statement update(db, claim_next);
     update.bind(":now", parts_->clock());
     update.bind(":owner", std::string(owner));
     update.bind(":lease", static_cast<std::int64_t>(lease.count()));

@@ -12,7 +12,7 @@ class StoreError : public std::runtime_error {
  public:
   enum class Kind {
     disk_full,         ///< goes on by itself when there is room
-    io,                ///< the disk or the file system refused
+    io,                ///< the disk or the file system refused, a quota among others
     busy,              ///< the database stayed locked beyond the timeout
     corrupt,           ///< not a database, or a damaged one
     folder_in_use,     ///< another process holds the data folder

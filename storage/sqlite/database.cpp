@@ -65,13 +65,4 @@ StoreError to_store_error(const SQLite::Exception& error) {
   return StoreError(kind_of(error.getErrorCode()), std::string("database: ") + error.what());
 }
 
-StoreError to_store_error(SQLite::Database& database, const SQLite::Exception& error) {
-  // SQLite says FULL for ENOSPC alone; a quota or a file size limit is as full and ends as it does.
-  const int cause = sqlite3_system_errno(database.getHandle());
-  if ((error.getErrorCode() & 0xff) == SQLITE_IOERR && (cause == EDQUOT || cause == EFBIG)) {
-    return StoreError(StoreError::Kind::disk_full, std::string("database: ") + error.what());
-  }
-  return to_store_error(error);
-}
-
 }  // namespace rouleau::storage

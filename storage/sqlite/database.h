@@ -21,7 +21,6 @@ void roll_back(SQLite::Database& database) noexcept;
 bool in_transaction(SQLite::Database& database);
 
 /// What SQLite reports as the error that callers of the store tell apart.
-StoreError to_store_error(SQLite::Database& database, const SQLite::Exception& error);
 StoreError to_store_error(const SQLite::Exception& error);
 
 }  // namespace rouleau::storage

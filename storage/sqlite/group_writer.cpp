@@ -68,7 +68,7 @@ void GroupWriter::commit_group(const std::vector<Write*>& group) {
     for (Write* write : group) run_within_savepoint(*write);
     database_.exec("COMMIT");
   } catch (const SQLite::Exception& error) {
-    const auto failure = std::make_exception_ptr(to_store_error(database_, error));
+    const auto failure = std::make_exception_ptr(to_store_error(error));
     roll_back(database_);
     for (Write* write : group) {
       if (!write->error) write->error = failure;
@@ -81,7 +81,7 @@ void GroupWriter::run_within_savepoint(Write& write) {
   try {
     write.work(database_);
   } catch (const SQLite::Exception& error) {
-    write.error = std::make_exception_ptr(to_store_error(database_, error));
+    write.error = std::make_exception_ptr(to_store_error(error));
     // A full disk and the like make SQLite undo the whole transaction: then the group has failed.
     if (!in_transaction(database_)) throw;
   } catch (...) {

@@ -26,7 +26,7 @@ class ReaderPool {
     try {
       return read(loan.database);
     } catch (const SQLite::Exception& error) {
-      throw to_store_error(loan.database, error);
+      throw to_store_error(error);
     }
   }
 

@@ -1,0 +1,104 @@
+#include <string>
+#include <vector>
+
+#include <SQLiteCpp/Statement.h>
+#include <gtest/gtest.h>
+
+#include "storage/job_statements.h"
+#include "storage/job_store.h"
+#include "storage/sqlite/database.h"
+#include "storage/sqlite/migrations.h"
+#include "tests/unit/storage/scratch.h"
+
+namespace rouleau::storage {
+namespace {
+
+/// A database that holds one job in each state, made by the store itself.
+class Schema : public testing::Test {
+ protected:
+  Schema() : database(prepared()) {}
+
+  SQLite::Database prepared() {
+    {
+      JobStore store(folder.path());
+      const auto lease = std::chrono::seconds(100);
+      for (int i = 0; i < 5; ++i) store.submit(plain_job());
+      store.succeed(store.claim("me", lease)->job.id, 1, "{}", 10, some_sha256);
+      store.fail(store.claim("me", lease)->job.id, 1, "{}");
+      store.request_cancel(store.claim("me", lease)->job.id);
+      store.claim("me", lease);
+      store.request_cancel(store.submit(plain_job()).id);
+    }
+    return open_for_writing(folder.path() / "jobs.sqlite");
+  }
+
+  ScratchFolder folder;
+  SQLite::Database database;
+};
+
+TEST_F(Schema, HoldsAJobInEachState) {
+  EXPECT_EQ(database.execAndGet("SELECT count(DISTINCT state) FROM jobs").getInt(), 6);
+}
+
+TEST_F(Schema, RefusesWhatBreaksAnInvariant) {
+  const std::vector<std::string> broken{
+      "SET state = 'paused' WHERE state = 'queued'",
+      "SET attempt = -1",
+      "SET attempt = 'one'",
+      "SET ended_at = NULL WHERE state = 'failed'",
+      "SET ended_at = 5 WHERE state = 'running'",
+      "SET ended_at = 5 WHERE state = 'queued'",
+      "SET state = 'running' WHERE state = 'queued'",
+      "SET state = 'queued' WHERE state = 'running'",
+      "SET lease_owner = NULL WHERE state = 'running'",
+      "SET lease_owner = NULL, lease_until = NULL WHERE state = 'cancelling'",
+      "SET lease_until = NULL WHERE state = 'running'",
+      "SET lease_owner = 'me', lease_until = 5 WHERE state = 'succeeded'",
+      "SET started_at = NULL WHERE state = 'succeeded'",
+      "SET attempt = 0 WHERE state = 'running'",
+      "SET started_at = 5 WHERE state = 'queued'",
+      "SET progress = '{}' WHERE state = 'queued'",
+      "SET progress = '{' WHERE state = 'running'",
+      "SET not_before = 5 WHERE state = 'running'",
+      "SET summary = NULL WHERE state = 'succeeded'",
+      "SET archive_sha256 = NULL WHERE state = 'succeeded'",
+      "SET archive_sha256 = 'short' WHERE state = 'succeeded'",
+      "SET archive_size = NULL WHERE state = 'succeeded'",
+      "SET archive_size = 7 WHERE state = 'failed'",
+      "SET summary = '{}' WHERE state = 'cancelled'",
+      "SET error = NULL WHERE state = 'failed'",
+      "SET error = '{}' WHERE state = 'succeeded'",
+      "SET labels = '[]'",
+      "SET case_hash = 'short'",
+      "SET id = 'short'",
+      "SET name = NULL",
+  };
+  for (const std::string& change : broken) {
+    EXPECT_THROW(database.exec("UPDATE jobs " + change), SQLite::Exception) << change;
+  }
+}
+
+TEST_F(Schema, KeepsInputsAndJobsTogether) {
+  EXPECT_THROW(database.exec("INSERT INTO job_inputs VALUES ('nobody', '{}', '{}', '{}')"),
+               SQLite::Exception);
+  database.exec("DELETE FROM jobs");
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM job_inputs").getInt(), 0);
+}
+
+TEST_F(Schema, ClaimsWalkTheIndexOfWhatWaits) {
+  SQLite::Statement plan(database, std::string("EXPLAIN QUERY PLAN ") + claim_next);
+  std::string steps;
+  while (plan.executeStep()) steps += plan.getColumn(3).getString() + "\n";
+  EXPECT_NE(steps.find("USING INDEX jobs_waiting"), std::string::npos) << steps;
+  EXPECT_EQ(steps.find("TEMP B-TREE"), std::string::npos) << steps;
+}
+
+TEST_F(Schema, RunsWithTheDurabilityThatWasPromised) {
+  EXPECT_EQ(database.execAndGet("PRAGMA journal_mode").getString(), "wal");
+  EXPECT_EQ(database.execAndGet("PRAGMA synchronous").getInt(), 2) << "FULL";
+  EXPECT_EQ(database.execAndGet("PRAGMA foreign_keys").getInt(), 1);
+  EXPECT_EQ(database.execAndGet("PRAGMA journal_size_limit").getInt(), 4 << 20);
+}
+
+}  // namespace
+}  // namespace rouleau::storage
