@@ -21,9 +21,11 @@ struct RestShape {
 };
 
 /// The shape of least stretch and bending energy that `nodes` nodes take at exactly the given area (relative
-/// error below 1e-10). Once the area reaches that of the unstretched circle it is an inflated regular
+/// error below 1e-10), symmetric about the x axis. A membrane soft in stretch may stay round under
+/// compression instead of buckling; from the area of the unstretched circle on it is an inflated regular
 /// polygon. Throws RestShapeError on a modulus, length or area that is not positive, on fewer than eight
-/// nodes, and when Newton's iteration does not converge.
+/// nodes, when the cell is so deflated that its two sides would cross, and when Newton's iteration does not
+/// converge.
 RestShape rest_shape(const Material& material, int nodes, double area);
 
 }  // namespace rouleau::cells

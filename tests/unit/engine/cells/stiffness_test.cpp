@@ -101,10 +101,16 @@ TEST(StretchStiffness, LeavesOutTheTurningOfCompressedLinks) {
 TEST(BendingStiffness, IsTheExactOneWhereTheRingIsStraight) {
   // A rectangle of 12 by 2 links; the hinges around nodes 5 to 7 of its lower side carry no moment.
   Nodes nodes;
-  for (int i = 0; i < 12; ++i) nodes.x.push_back(0.5 * i), nodes.y.push_back(0.0);
-  for (int i = 0; i < 2; ++i) nodes.x.push_back(6.0), nodes.y.push_back(0.5 * i);
-  for (int i = 0; i < 12; ++i) nodes.x.push_back(6.0 - 0.5 * i), nodes.y.push_back(1.0);
-  for (int i = 0; i < 2; ++i) nodes.x.push_back(0.0), nodes.y.push_back(1.0 - 0.5 * i);
+  const auto add_side = [&](int links, double x, double y, double dx, double dy) {
+    for (int i = 0; i < links; ++i) {
+      nodes.x.push_back(x + i * dx);
+      nodes.y.push_back(y + i * dy);
+    }
+  };
+  add_side(12, 0.0, 0.0, 0.5, 0.0);
+  add_side(2, 6.0, 0.0, 0.0, 0.5);
+  add_side(12, 6.0, 1.0, -0.5, 0.0);
+  add_side(2, 0.0, 1.0, 0.0, -0.5);
   const Eigen::MatrixXd exact = differences(nodes, no_stretch).middleCols(10, 6);
   const Eigen::MatrixXd terms = assemble(bending_terms(nodes.ring()), nodes.x.size()).middleCols(10, 6);
   EXPECT_GT(exact.norm(), 1.0);
