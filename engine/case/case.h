@@ -25,8 +25,8 @@ struct Plasma {
 enum class Profile { plug, parabolic };
 
 struct Inflow {
-  double velocity = 0.005;           ///< mean over the inlet, m/s
-  Profile profile = Profile::plug;   ///< the study feeds a plug
+  double velocity = 0.005;          ///< mean over the inlet, m/s
+  Profile profile = Profile::plug;  ///< the study feeds a plug
 };
 
 struct Outflow {
@@ -44,14 +44,14 @@ struct Thrombus {
 
 /// A red cell. Its moduli are per unit depth and do not depend on the particle spacing.
 struct RedCell {
-  double x = 0;                     ///< of its centre, m
-  double y = 0;                     ///< m
-  double diameter = 6.36e-6;        ///< of the circle it is deflated from, m
-  double fill = 0.5;                ///< its area over that circle's
-  double angle = 90;                ///< of the long axis to x, degrees
-  double stretch_modulus = 1e-5;    ///< E_s, N/m
-  double bend_modulus = 4.8e-18;    ///< B, J
-  double viscosity_ratio = 1;       ///< inside over plasma
+  double x = 0;                   ///< of its centre, m
+  double y = 0;                   ///< m
+  double diameter = 6.36e-6;      ///< of the circle it is deflated from, m
+  double fill = 0.5;              ///< its area over that circle's
+  double angle = 90;              ///< of the long axis to x, degrees
+  double stretch_modulus = 1e-5;  ///< E_s, N/m
+  double bend_modulus = 4.8e-18;  ///< B, J
+  double viscosity_ratio = 1;     ///< inside over plasma
 };
 
 enum class Switch { automatic, on, off };
@@ -62,10 +62,10 @@ enum class Preset { draft, standard, fine };
 /// does not name it.
 struct Numerics {
   Preset preset = Preset::standard;
-  double spacing = 4e-7;               ///< d0, m
-  std::optional<double> time_step;     ///< s; none: the plan chooses
-  double kernel_radius = 3.1;          ///< in d0
-  double pressure_tolerance = 1e-2;    ///< relative residual at which the pressure solver stops
+  double spacing = 4e-7;             ///< d0, m
+  std::optional<double> time_step;   ///< s; none: the plan chooses
+  double kernel_radius = 3.1;        ///< in d0
+  double pressure_tolerance = 1e-2;  ///< relative residual at which the pressure solver stops
   int threads = 1;
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+#include <cstddef>
 #include <string_view>
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,7 +23,10 @@ nlohmann::json parse_json(std::string_view text);
 /// themselves are faults, all of them reported at once.
 /// @throws CaseError with every fault
 Case read_case(std::string_view text);
-Case read_case(const nlohmann::json& document);
+
+/// The same of a document; a template only so that text is never taken for a JSON string.
+template <std::same_as<nlohmann::json> Json>
+Case read_case(const Json& document);
 
 /// The case with every default filled in; `read_case(to_json(c))` gives `c` again.
 nlohmann::json to_json(const Case& resolved);
