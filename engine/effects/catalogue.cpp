@@ -4,6 +4,7 @@
 #include "engine/effects/contact.h"
 #include "engine/effects/effect.h"
 #include "engine/effects/inflow.h"
+#include "engine/effects/inflow_flux.h"
 #include "engine/effects/membrane_clearance.h"
 #include "engine/effects/membrane_coupling.h"
 #include "engine/effects/membrane_sides.h"
@@ -28,6 +29,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &membrane_coupling,
       &viscosity_implicit,
       &area_control,
+      &inflow_flux,
       &pressure_rotational,
       &advection,
       &shifting,

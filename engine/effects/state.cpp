@@ -50,6 +50,10 @@ double State::row_offset(int k) const {
   return (std::fmod(0.618034 * k, 1.0) - 0.5) * spacing;
 }
 
+operators::SamplingPlane State::plane_at(double x) const {
+  return {x, outline.height(), radius, 2 * (rows() + 1)};
+}
+
 double State::developed_velocity(double y) const {
   const double height = outline.height();
   const double from_axis = 2 * y / height - 1;

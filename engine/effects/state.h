@@ -8,6 +8,7 @@
 #include "engine/cells/ring.h"
 #include "engine/cells/stiffness.h"
 #include "engine/geometry/outline.h"
+#include "engine/operators/cross_section.h"
 #include "engine/operators/least_squares.h"
 #include "engine/particles/neighbour_list.h"
 #include "engine/particles/particle_set.h"
@@ -90,6 +91,8 @@ struct State {
   int rows() const;
   double row_y(int k) const;
   double row_offset(int k) const;
+  /// The plane across the vessel at x, to measure the flow through it.
+  operators::SamplingPlane plane_at(double x) const;
   /// Axial velocity of the developed flow in the free vessel.
   double developed_velocity(double y) const;
 };

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/observe/cell_measures.h"
-#include "engine/observe/cross_section.h"
 
 namespace rouleau::observe {
 
@@ -41,8 +40,8 @@ std::vector<double> series_row(const effects::State& state) {
     const CellMeasures m = measure_cell(state, cell);
     row.insert(row.end(), {m.x, m.y, m.u, m.v, m.tau, m.tau_area, m.area, m.perimeter, m.angle});
   }
-  const CrossSection in = measure_cross_section(state, inflow_plane(state));
-  const CrossSection out = measure_cross_section(state, outflow_plane(state));
+  const auto in = operators::measure(state.particles, state.plane_at(inflow_plane(state)));
+  const auto out = operators::measure(state.particles, state.plane_at(outflow_plane(state)));
   double divergence = 0;
   for (const double d : state.divergence) divergence = std::max(divergence, std::abs(d));
   row.insert(row.end(), {in.flux * s.flux(), out.flux * s.flux(), (in.pressure - out.pressure) * s.pressure(),

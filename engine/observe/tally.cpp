@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/observe/cell_measures.h"
-#include "engine/observe/cross_section.h"
 #include "engine/observe/poiseuille.h"
 #include "engine/observe/series.h"
 
@@ -40,8 +39,8 @@ void Tally::add(const effects::State& state) {
 
 void Tally::add_flow(const effects::State& state) {
   const double area = state.dt * state.scales.length * state.scales.length;
-  volume_in_ += area * measure_cross_section(state, inflow_plane(state)).flux;
-  volume_out_ += area * measure_cross_section(state, outflow_plane(state)).flux;
+  volume_in_ += area * operators::measure_flux(state.particles, state.plane_at(inflow_plane(state)));
+  volume_out_ += area * operators::measure_flux(state.particles, state.plane_at(outflow_plane(state)));
 }
 
 void Tally::report(RunSummary& summary) const {

@@ -1,0 +1,48 @@
+#include "engine/effects/inflow_flux.h"
+
+namespace rouleau::effects {
+
+namespace {
+
+// In spacings from the inlet plane: where the source is, and the plane up to which flow is balanced.
+constexpr double source_depth = 2;
+constexpr double balance_depth = 6;
+
+class InflowFlux : public Effect {
+ public:
+  /// The projection leaves through the balance plane what crosses it before, less the divergences summed
+  /// over the particles up to it: the source makes that the wanted flux.
+  void apply(State& state) override {
+    const auto& particles = state.particles;
+    const double volume = state.spacing * state.spacing;
+    const double plane = balance_depth * state.spacing;
+    const double wanted = state.outline.height();
+    double removed = 0;
+    layer_.clear();
+    for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {
+      if (particles.x[i] > plane) continue;
+      const double divergence = state.operators.velocity_gradient(i, particles.u.data()).x +
+                                state.operators.velocity_gradient(i, particles.v.data()).y;
+      removed += volume * (divergence - state.source[i]);
+      if (particles.x[i] < source_depth * state.spacing) layer_.push_back(i);
+    }
+    if (layer_.empty()) return;
+    const double flux = operators::measure_flux(particles, state.plane_at(plane));
+    const double source = (wanted - (flux - removed)) / (volume * static_cast<double>(layer_.size()));
+    for (const int i : layer_) state.source[i] += source;
+  }
+
+ private:
+  std::vector<int> layer_;
+};
+
+}  // namespace
+
+const EffectKind inflow_flux{
+    "inflow_flux", Stage::pressure, true,
+    [](const Case&) {
+      return Need{true, "the flux given at the inlet is kept exactly", "/inflow/velocity"};
+    },
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<InflowFlux>(); }};
+
+}  // namespace rouleau::effects
