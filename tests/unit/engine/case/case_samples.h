@@ -1,0 +1,77 @@
+#pragma once
+
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/case/case_error.h"
+#include "engine/case/case_json.h"
+
+namespace rouleau {
+
+/// For GoogleTest's messages.
+inline void PrintTo(const Fault& fault, std::ostream* stream) {
+  *stream << fault.pointer << ": " << fault.message;
+}
+
+}  // namespace rouleau
+
+namespace rouleau::testing {
+
+/// The least that a case may say.
+inline nlohmann::json minimal_case() {
+  return {{"version", 1}, {"vessel", {{"length", 80e-6}, {"diameter", 10e-6}}}, {"duration", 1e-3}};
+}
+
+/// The study's section 3.1: a cell upstream of a thrombus.
+inline nlohmann::json published_case() {
+  nlohmann::json document = minimal_case();
+  document["thrombi"] = {{{"wall", "lower"}, {"x", 32e-6}, {"radius", 3.2e-6}}};
+  document["cells"] = {{{"x", 16e-6}, {"y", 5e-6}, {"angle", 90}}};
+  return document;
+}
+
+/// The faults of a case given as text or as a document; none if it reads.
+template <typename Input>
+std::vector<Fault> faults_of(const Input& input) {
+  try {
+    read_case(input);
+  } catch (const CaseError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+inline std::vector<std::string> pointers(const std::vector<Fault>& faults) {
+  std::vector<std::string> result;
+  for (const Fault& fault : faults) result.push_back(fault.pointer);
+  return result;
+}
+
+/// The message at `pointer`, "" if nothing was found there.
+inline std::string message_at(const std::vector<Fault>& faults, std::string_view pointer) {
+  for (const Fault& fault : faults) {
+    if (fault.pointer == pointer) return fault.message;
+  }
+  return "";
+}
+
+/// `base` with the value at `pointer` replaced, or added.
+inline nlohmann::json with(nlohmann::json base, const std::string& pointer, const nlohmann::json& value) {
+  base[nlohmann::json::json_pointer(pointer)] = value;
+  return base;
+}
+
+/// A file of the repository, by its path from the root.
+inline std::string repository_file(const std::string& path) {
+  const std::string here = __FILE__;
+  std::ifstream file(here.substr(0, here.rfind("tests/unit/engine/case")) + path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace rouleau::testing
