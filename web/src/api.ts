@@ -1,4 +1,4 @@
-import type { Case, Frame, Job, JobList, Series } from "./model.ts";
+import type { Case, Frame, FrameList, Job, JobList, Series } from "./model.ts";
 
 export interface FieldError {
   pointer: string;
@@ -78,25 +78,21 @@ export function cancelJob(id: string): Promise<Job> {
   return post(`${jobPath(id)}:cancel`);
 }
 
-/** Rows of the series after the first `after` ones. */
-export function getSeries(id: string, after: number, signal?: AbortSignal): Promise<Series> {
-  return get(`${jobPath(id)}/series?after=${after}`, signal);
+/** The rows of the series later than `after` (s), or all of them. */
+export function getSeries(id: string, after: number | undefined, signal?: AbortSignal): Promise<Series> {
+  return get(`${jobPath(id)}/series${after === undefined ? "" : `?after=${after}`}`, signal);
 }
 
 export async function getSeriesCsv(id: string): Promise<Blob> {
   return (await request(`${jobPath(id)}/series`, { headers: { Accept: "text/csv" } })).blob();
 }
 
-/** The times of the frames written so far, s. */
-export async function getFrameTimes(id: string, signal?: AbortSignal): Promise<number[]> {
-  return (await get<{ times: number[] }>(`${jobPath(id)}/frames`, signal)).times;
+/** The times of all frames, and the cells' outlines from frame `from` on. */
+export function getOutlines(id: string, from: number, signal?: AbortSignal): Promise<FrameList> {
+  return get(`${jobPath(id)}/frames?fields=outlines&from=${from}`, signal);
 }
 
-export function getFrame(
-  id: string,
-  index: number,
-  fields: "outlines" | "outlines,particles",
-  signal?: AbortSignal,
-): Promise<Frame> {
-  return get(`${jobPath(id)}/frames/${index}?fields=${fields}`, signal);
+/** One frame with its particles. */
+export function getFrame(id: string, index: number, signal?: AbortSignal): Promise<Frame> {
+  return get(`${jobPath(id)}/frames/${index}`, signal);
 }

@@ -75,7 +75,10 @@ export class Chart {
       width: this.holder.clientWidth,
       height,
       scales: { x: { time: false } },
-      axes: [{ ...axis(data.xLabel), size: 30 }, { ...axis(yLabel), size: 50 }],
+      axes: [
+        { ...axis(data.xLabel), size: 30 },
+        { ...axis(yLabel), size: 50 },
+      ],
       series: [
         { label: data.xLabel, value: (_, x) => (x == null ? "–" : x.toFixed(2)) },
         ...data.values.slice(1).map((_, k) => ({

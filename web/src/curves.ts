@@ -6,7 +6,8 @@ import { joinCurves, onlyForward, valueAt, type SeriesTable } from "./series_tab
 type Abscissa = "position" | "time";
 type Values = (number | null)[];
 
-const scaled = (values: Values, factor: number): Values => values.map((v) => (v === null ? null : v * factor));
+const scaled = (values: Values, factor: number): Values =>
+  values.map((v) => (v === null ? null : v * factor));
 
 interface Quantity {
   name: string;
@@ -34,7 +35,10 @@ export class Curves {
   ) {
     const pick = (x: number) => this.pick(x);
     this.charts = [
-      { chart: new Chart("Deformation factor τ", "τ", "", 3, id, pick), quantity: { name: "tau", factor: 1 } },
+      {
+        chart: new Chart("Deformation factor τ", "τ", "", 3, id, pick),
+        quantity: { name: "tau", factor: 1 },
+      },
       { chart: new Chart("Axial velocity", "u", "mm/s", 2, id, pick), quantity: { name: "u", factor: 1e3 } },
     ];
     this.select.addEventListener("change", () => {

@@ -13,7 +13,11 @@ async function saveSeries(id: string): Promise<void> {
 /** Links to what a job leaves behind, as far as it is there. */
 export function downloads(id: string): { element: HTMLElement; update(job: Job): void } {
   const failure = h("div");
-  const archive = h("a", { href: `${jobPath(id)}/archive.h5`, download: `${id}.h5`, hidden: true }, "archive.h5");
+  const archive = h(
+    "a",
+    { href: `${jobPath(id)}/archive.h5`, download: `${id}.h5`, hidden: true },
+    "archive.h5",
+  );
   const series = h("button", { type: "button", class: "link", hidden: true }, "series.csv");
   series.addEventListener("click", async () => {
     try {
@@ -23,7 +27,14 @@ export function downloads(id: string): { element: HTMLElement; update(job: Job):
       fill(failure, problemBox(problem));
     }
   });
-  const element = h("div", { class: "downloads" }, h("span", { class: "quiet" }, "Download"), archive, series, failure);
+  const element = h(
+    "div",
+    { class: "downloads" },
+    h("span", { class: "quiet" }, "Download"),
+    archive,
+    series,
+    failure,
+  );
   element.hidden = true;
   return {
     element,

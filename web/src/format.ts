@@ -15,8 +15,7 @@ export function duration(seconds: number): string {
 export function timeLeft(seconds: number | null | undefined): string {
   if (seconds == null || !Number.isFinite(seconds) || seconds < 0) return "";
   if (seconds < 1) return "about done";
-  return `${duration(Math.max(1, Math.round(seconds)))
-    .replace(".0 s", " s")} left`;
+  return `${duration(Math.max(1, Math.round(seconds))).replace(".0 s", " s")} left`;
 }
 
 export function percent(fraction: number): string {

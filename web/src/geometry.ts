@@ -90,7 +90,8 @@ export function trailIndices(times: ArrayLike<number>, step: number): number[] {
   const indices: number[] = [];
   for (let k = 0; k * step <= last * (1 + 1e-9); k++) {
     const index = nearestIndex(times, k * step);
-    if (index >= 0 && Math.abs(times[index]! - k * step) <= step / 2 && !indices.includes(index)) indices.push(index);
+    if (index >= 0 && Math.abs(times[index]! - k * step) <= step / 2 && !indices.includes(index))
+      indices.push(index);
   }
   return indices;
 }

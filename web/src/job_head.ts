@@ -66,10 +66,13 @@ export class JobHead {
   private showTimes(job: Job): void {
     const parts = [`created ${format.ago(job.created_at, Date.now())}`];
     const wall = format.wallTime(job, Date.now());
-    if (wall !== undefined) parts.push(`${hasEnded(job.state) ? "took" : "running for"} ${format.duration(wall)}`);
+    if (wall !== undefined)
+      parts.push(`${hasEnded(job.state) ? "took" : "running for"} ${format.duration(wall)}`);
     const { progress } = job;
     if (progress && job.state === "running") {
-      parts.push(`${format.milliseconds(progress.simulated_time)} of ${format.milliseconds(progress.duration)}`);
+      parts.push(
+        `${format.milliseconds(progress.simulated_time)} of ${format.milliseconds(progress.duration)}`,
+      );
       if (progress.steps_per_second > 0) parts.push(`${Math.round(progress.steps_per_second)} steps/s`);
     }
     setText(this.times, parts.join(" · "));

@@ -1,4 +1,4 @@
-import { getFrameTimes, getJob, getSeries, Problem } from "./api.ts";
+import { getJob, getOutlines, getSeries, Problem } from "./api.ts";
 import { Curves } from "./curves.ts";
 import { h, type View } from "./dom.ts";
 import { JobHead } from "./job_head.ts";
@@ -31,9 +31,12 @@ export function jobPage(id: string): View {
   }
 
   async function readResults(signal: AbortSignal): Promise<void> {
-    const [series, times] = await Promise.all([getSeries(id, table.rows, signal), getFrameTimes(id, signal)]);
+    const [series, frames] = await Promise.all([
+      getSeries(id, table.lastTime, signal),
+      getOutlines(id, player?.frames ?? 0, signal),
+    ]);
     table.append(series);
-    player?.setTimes(times);
+    player?.append(frames);
     curves.update(player?.playback.time);
   }
 

@@ -71,7 +71,13 @@ export function jobsPage(pageToken: string | undefined): View {
     h(
       "thead",
       {},
-      h("tr", {}, ...["Name", "State", "Progress", "Created", "Wall time"].map((title) => h("th", { scope: "col" }, title))),
+      h(
+        "tr",
+        {},
+        ...["Name", "State", "Progress", "Created", "Wall time"].map((title) =>
+          h("th", { scope: "col" }, title),
+        ),
+      ),
     ),
     body,
   );

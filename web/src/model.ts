@@ -1,13 +1,6 @@
 /** What the service sends, as docs/api.md describes it. SI units throughout. */
 
-export type JobState =
-  | "queued"
-  | "running"
-  | "paused"
-  | "cancelling"
-  | "succeeded"
-  | "failed"
-  | "cancelled";
+export type JobState = "queued" | "running" | "paused" | "cancelling" | "succeeded" | "failed" | "cancelled";
 
 const ended: ReadonlySet<JobState> = new Set<JobState>(["succeeded", "failed", "cancelled"]);
 
@@ -118,8 +111,15 @@ export interface Particles {
   kind: number[];
 }
 
+/** The frames so far, and from frame `from` on the outlines of the cells in each. */
+export interface FrameList {
+  times: number[];
+  from: number;
+  outlines: Outline[][];
+}
+
 export interface Frame {
   time: number;
-  cells: Outline[];
-  particles?: Particles;
+  outlines: Outline[];
+  particles?: Particles | null;
 }

@@ -1,16 +1,15 @@
 import { onThemeChange, speedColour } from "./colours.ts";
 import { h, setText } from "./dom.ts";
 import * as format from "./format.ts";
-import { FrameStore } from "./frame_store.ts";
 import { niceStep, trailIndices } from "./geometry.ts";
-import type { Case, Frame, Particles } from "./model.ts";
+import type { Case, FrameList, Outline, Particles } from "./model.ts";
+import { ParticleStore } from "./particle_store.ts";
 import { Playback } from "./playback.ts";
 import { VesselView } from "./vessel_view.ts";
 
 /** At most this many past outlines; the study's figures show as many. */
-const trailLength = 10;
-/** Longer runs are prefetched with gaps, so that opening one does not ask for thousands of frames. */
-const prefetched = 400;
+const trailLength = 10; /** So many frames the particles may lag behind while those of the frame on show are fetched: it would flicker else. */
+const longestLag = 3;
 
 function fastest(particles: Particles): number {
   let top = 0;
@@ -24,9 +23,15 @@ export class Player {
   readonly playback: Playback;
 
   private readonly view = new VesselView();
-  private readonly store: FrameStore;
+  private readonly store: ParticleStore;
   private readonly playButton = h("button", { type: "button" });
-  private readonly scrubber = h("input", { type: "range", min: 0, max: 0, step: 1, "aria-label": "Simulated time" });
+  private readonly scrubber = h("input", {
+    type: "range",
+    min: 0,
+    max: 0,
+    step: 1,
+    "aria-label": "Simulated time",
+  });
   private readonly clock = h("output", { class: "clock" });
   private readonly closeUp = h("input", { type: "checkbox" });
   private readonly flow = h("input", { type: "checkbox" });
@@ -34,7 +39,9 @@ export class Player {
   private readonly topLabel = h("span");
   private readonly scale = h("span", { class: "scale", hidden: true });
   private readonly stopTheme: () => void;
-  private shown: Frame | undefined;
+  private outlines: Outline[][] = [];
+  private particles: Particles | undefined;
+  private particlesOf = 0;
   private topSpeed = 0;
 
   constructor(
@@ -42,7 +49,7 @@ export class Player {
     private readonly scene: Case,
     private readonly moved: () => void,
   ) {
-    this.store = new FrameStore(id, () => this.draw());
+    this.store = new ParticleStore(id, () => this.draw());
     this.playback = new Playback(() => {
       this.update();
       this.moved();
@@ -52,7 +59,8 @@ export class Player {
       if (this.playback.playing) this.playback.pause();
       this.playback.seek(Number(this.scrubber.value));
     });
-    for (const option of [this.closeUp, this.flow, this.trail]) option.addEventListener("change", () => this.draw());
+    for (const option of [this.closeUp, this.flow, this.trail])
+      option.addEventListener("change", () => this.draw());
     this.stopTheme = onThemeChange(() => this.view.redraw());
 
     const gradient = [0, 0.25, 0.5, 0.75, 1].map(speedColour).join(", ");
@@ -77,13 +85,15 @@ export class Player {
     this.update();
   }
 
-  /** The times of the frames there are, s. */
-  setTimes(times: readonly number[]): void {
-    if (times.length === this.playback.times.length) return;
-    this.playback.setTimes(times);
-    this.store.prefetch(this.trailOf(times.length - 1));
-    const stride = Math.ceil(times.length / prefetched);
-    this.store.prefetch(Array.from({ length: Math.ceil(times.length / stride) }, (_, k) => k * stride));
+  get frames(): number {
+    return this.outlines.length;
+  }
+
+  /** Takes in the frames that have come since. */
+  append(list: FrameList): void {
+    if (list.outlines.length === 0 || list.from !== this.outlines.length) return;
+    this.outlines.push(...list.outlines);
+    this.playback.setTimes(list.times.slice(0, this.outlines.length));
   }
 
   private trailOf(index: number): number[] {
@@ -107,19 +117,24 @@ export class Player {
 
   private draw(): void {
     const { index } = this.playback;
-    // Until a frame is here the one before stays, so that the film does not flicker.
-    const frame = index < 0 ? undefined : this.store.get(index, this.flow.checked);
-    if (frame) this.shown = frame;
-    if (this.shown?.particles) this.topSpeed = Math.max(this.topSpeed, fastest(this.shown.particles));
-    this.scale.hidden = !this.flow.checked || this.topSpeed === 0;
+    if (this.flow.checked && index >= 0) {
+      const particles = this.store.get(index);
+      if (particles) {
+        this.particles = particles;
+        this.particlesOf = index;
+        this.topSpeed = Math.max(this.topSpeed, fastest(particles));
+      }
+    }
+    if (!this.flow.checked || Math.abs(index - this.particlesOf) > longestLag) this.particles = undefined;
+    this.scale.hidden = !this.particles;
     setText(this.topLabel, format.speed(this.topSpeed));
-    const past = this.trail.checked ? this.trailOf(index).map((k) => this.store.get(k, false)) : [];
     this.view.show({
       vessel: this.scene,
-      frame: this.shown && !this.flow.checked ? { time: this.shown.time, cells: this.shown.cells } : this.shown,
-      trail: past.filter((past) => past !== undefined),
-      closeUp: this.closeUp.checked,
+      cells: this.outlines[index] ?? [],
+      trail: this.trail.checked ? this.trailOf(index).map((k) => this.outlines[k] ?? []) : [],
+      particles: this.particles,
       topSpeed: this.topSpeed || 1,
+      closeUp: this.closeUp.checked,
     });
   }
 

@@ -3,7 +3,11 @@ import { h } from "./dom.ts";
 
 /** The faults of a case, each with the place in it. */
 export function faultList(faults: FieldError[]): HTMLElement {
-  return h("ul", {}, ...faults.map((fault) => h("li", {}, h("code", {}, fault.pointer || "/"), ` ${fault.message}`)));
+  return h(
+    "ul",
+    {},
+    ...faults.map((fault) => h("li", {}, h("code", {}, fault.pointer || "/"), ` ${fault.message}`)),
+  );
 }
 
 /** What went wrong with a request, with every fault of a body that was refused. */

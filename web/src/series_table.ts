@@ -11,6 +11,11 @@ export class SeriesTable {
     return this.count;
   }
 
+  /** s; undefined before the first row. */
+  get lastTime(): number | undefined {
+    return this.column("time").at(-1) ?? undefined;
+  }
+
   clear(): void {
     this.columns.clear();
     this.count = 0;

@@ -4,7 +4,11 @@ import type { JobError, Summary } from "./model.ts";
 import { faultList } from "./problem_box.ts";
 
 function facts(pairs: [string, string][]): HTMLElement {
-  return h("dl", { class: "facts" }, ...pairs.map(([term, value]) => h("div", {}, h("dt", {}, term), h("dd", {}, value))));
+  return h(
+    "dl",
+    { class: "facts" },
+    ...pairs.map(([term, value]) => h("div", {}, h("dt", {}, term), h("dd", {}, value))),
+  );
 }
 
 /** What an ended run comes to. */
@@ -28,7 +32,10 @@ export function summaryBox(summary: Summary): HTMLElement {
     facts([
       ...ofCells,
       ["Simulated", format.milliseconds(summary.simulated_time)],
-      ["Computed in", `${format.duration(summary.wall_time)} (${Math.round(summary.steps_per_second)} steps/s)`],
+      [
+        "Computed in",
+        `${format.duration(summary.wall_time)} (${Math.round(summary.steps_per_second)} steps/s)`,
+      ],
     ]),
   );
 }
@@ -44,7 +51,8 @@ const kinds: Record<JobError["kind"], string> = {
 function breachFacts(error: JobError): [string, string][] {
   const found: [string, string][] = [];
   const number = (value: number) => `${Number(value.toPrecision(4))} ${error.unit ?? ""}`.trim();
-  if (error.quantity && error.value !== undefined) found.push([`Found: ${error.quantity}`, number(error.value)]);
+  if (error.quantity && error.value !== undefined)
+    found.push([`Found: ${error.quantity}`, number(error.value)]);
   if (error.bound !== undefined) found.push(["Allowed", number(error.bound)]);
   if (error.simulated_time !== undefined) {
     const step = error.step === undefined ? "" : ` (step ${error.step})`;

@@ -1,7 +1,7 @@
 import { readTheme, speedColour, type Theme } from "./colours.ts";
 import { h } from "./dom.ts";
 import { areaAndCentroid, mapToWidth, niceStep, stretchAbout, type Mapping } from "./geometry.ts";
-import type { Case, Frame, Outline, Particles } from "./model.ts";
+import type { Case, Outline, Particles } from "./model.ts";
 
 const margins = { left: 14, right: 14, top: 8, bottom: 34 };
 /** Thickness of the wall as drawn, px. */
@@ -12,8 +12,10 @@ const colourSteps = 24;
 
 export interface Scene {
   vessel: Case;
-  frame: Frame | undefined;
-  trail: Frame[];
+  cells: Outline[];
+  /** The outlines at earlier instants. */
+  trail: Outline[][];
+  particles: Particles | undefined;
   /** Whether the window stays close about the first cell instead of showing the whole vessel. */
   closeUp: boolean;
   /** The speed that the last colour stands for, m/s. */
@@ -45,7 +47,12 @@ function drawParticles(
   });
 }
 
-function drawPastCell(context: CanvasRenderingContext2D, map: Mapping, outline: Outline, colour: string): void {
+function drawPastCell(
+  context: CanvasRenderingContext2D,
+  map: Mapping,
+  outline: Outline,
+  colour: string,
+): void {
   trace(context, map, outline);
   context.globalAlpha = 0.5;
   context.strokeStyle = colour;
@@ -97,7 +104,13 @@ function drawThrombi(context: CanvasRenderingContext2D, map: Mapping, scene: Cas
   }
 }
 
-function drawAxis(context: CanvasRenderingContext2D, map: Mapping, from: number, to: number, theme: Theme): void {
+function drawAxis(
+  context: CanvasRenderingContext2D,
+  map: Mapping,
+  from: number,
+  to: number,
+  theme: Theme,
+): void {
   const pixels = (to - from) * map.scale;
   const step = niceStep(to - from, Math.max(2, Math.floor(pixels / 85)));
   const y = map.toY(0) + wall;
@@ -115,7 +128,11 @@ function drawAxis(context: CanvasRenderingContext2D, map: Mapping, from: number,
     const last = (k + 1) * step > to * (1 + 1e-9);
     context.textAlign = last && map.toX(to) - x < 24 ? "right" : k === 0 ? "left" : "center";
     const text = Number((k * step * 1e6).toPrecision(6)).toString();
-    context.fillText(last ? `${text} µm` : text, x + (last && context.textAlign === "right" ? margins.right - 2 : 0), y + 9);
+    context.fillText(
+      last ? `${text} µm` : text,
+      x + (last && context.textAlign === "right" ? margins.right - 2 : 0),
+      y + 9,
+    );
   }
 }
 
@@ -144,7 +161,7 @@ export class VesselView {
   private window(scene: Scene): [number, number] {
     const { length, diameter } = scene.vessel.vessel;
     if (!scene.closeUp) return [0, length];
-    const first = scene.frame?.cells[0];
+    const first = scene.cells[0];
     const centre = first ? areaAndCentroid(first.x, first.y).x : (scene.vessel.cells?.[0]?.x ?? 0);
     return stretchAbout(centre, closeUpWidth * diameter, length);
   }
@@ -175,15 +192,15 @@ export class VesselView {
     context.beginPath();
     context.rect(left, top, right - left, bottom - top);
     context.clip();
-    if (scene.frame?.particles) {
-      const spacing = Math.sqrt((scene.vessel.vessel.length * diameter) / scene.frame.particles.x.length);
-      drawParticles(context, map, scene.frame.particles, scene.topSpeed, Math.max(1, spacing * map.scale));
+    if (scene.particles) {
+      const spacing = Math.sqrt((scene.vessel.vessel.length * diameter) / scene.particles.x.length);
+      drawParticles(context, map, scene.particles, scene.topSpeed, Math.max(1, spacing * map.scale));
     }
     drawThrombi(context, map, scene.vessel, theme);
     const colour = (k: number) => theme.cells[k % theme.cells.length]!;
-    for (const past of scene.trail) past.cells.forEach((cell, k) => drawPastCell(context, map, cell, colour(k)));
-    const overParticles = scene.frame?.particles !== undefined;
-    scene.frame?.cells.forEach((cell, k) => drawCell(context, map, cell, colour(k), overParticles));
+    for (const past of scene.trail) past.forEach((cell, k) => drawPastCell(context, map, cell, colour(k)));
+    const overParticles = scene.particles !== undefined;
+    scene.cells.forEach((cell, k) => drawCell(context, map, cell, colour(k), overParticles));
     context.restore();
 
     context.strokeStyle = theme.text;
