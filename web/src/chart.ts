@@ -2,7 +2,7 @@ import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { onThemeChange, readTheme } from "./colours.ts";
 import { h } from "./dom.ts";
-import { nearestIndex } from "./geometry.ts";
+import { axisRange, nearestIndex } from "./geometry.ts";
 
 const height = 220;
 
@@ -74,7 +74,10 @@ export class Chart {
     const options: uPlot.Options = {
       width: this.holder.clientWidth,
       height,
-      scales: { x: { time: false } },
+      scales: {
+        x: { time: false, range: (_, low, high) => axisRange(low, high, 0) },
+        y: { range: (_, low, high) => axisRange(low, high, 0.1) },
+      },
       axes: [
         { ...axis(data.xLabel), size: 30 },
         { ...axis(yLabel), size: 50 },

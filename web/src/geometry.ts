@@ -84,6 +84,18 @@ export function niceStep(span: number, parts: number): number {
   return factor * power;
 }
 
+/**
+ * What an axis shows of values from `low` to `high`: `room` (a fraction of their span) more at both sides, and
+ * never less than a hundredth of the values' size, for a curve that is flat but for rounding is to look flat.
+ */
+export function axisRange(low: number | null, high: number | null, room: number): [number, number] {
+  if (low === null || high === null || !Number.isFinite(low) || !Number.isFinite(high)) return [0, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high)) || 1;
+  const half = Math.max((high - low) * (0.5 + room), size * 0.005);
+  const middle = (low + high) / 2;
+  return [middle - half, middle + half];
+}
+
 /** Indices of the times nearest to whole steps, one each: the instants whose outlines stay as a trail. */
 export function trailIndices(times: ArrayLike<number>, step: number): number[] {
   const last = times[times.length - 1] ?? 0;

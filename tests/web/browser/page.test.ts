@@ -38,8 +38,13 @@ async function changeNextCase(change: (scene: Record<string, unknown>) => void):
   );
 }
 
-async function waitForState(state: string, timeout = patience): Promise<void> {
-  await page.locator(`.state[data-state="${state}"]`).waitFor({ timeout });
+/** The state that the job on show ends in. */
+async function endState(timeout = patience): Promise<string | undefined> {
+  const ended = ["succeeded", "failed", "cancelled"]
+    .map((state) => `.job .state[data-state="${state}"]`)
+    .join(", ");
+  await page.locator(ended).waitFor({ timeout });
+  return (await page.locator(ended).textContent()) ?? undefined;
 }
 
 before(async () => {
@@ -57,9 +62,9 @@ before(async () => {
   context.setDefaultTimeout(patience);
   page = context.pages()[0] ?? (await context.newPage());
   page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") complaints.push(message.text());
+    if (message.type() === "error") complaints.push(message.text());
   });
-  page.on("pageerror", (error) => complaints.push(String(error)));
+  page.on("pageerror", (error) => complaints.push(error.stack ?? String(error)));
   page.on("request", (request) => {
     const url = request.url();
     if (!url.startsWith(server.address) && !/^(data|blob):/.test(url)) complaints.push(`asked for ${url}`);
@@ -68,9 +73,8 @@ before(async () => {
 
 after(async () => {
   await context?.close();
-  const code = await server?.stop();
   if (profile) await rm(profile, { recursive: true, force: true });
-  assert.equal(code, 0, "the server drains and ends well");
+  if (server) assert.equal(await server.stop(), 0, "the server drains and ends well");
 });
 
 test("an empty service says what to do, and shows every fault of a refused case", async () => {
@@ -101,7 +105,7 @@ test("the example runs to its end while its cell and curves are drawn", async ()
   await page.getByRole("button", { name: "Run the example" }).click();
   await page.waitForURL(/#\/jobs\/[0-9a-f-]{36}$/);
   await page.getByRole("heading", { name: "single cell, 8 d0 thrombus" }).waitFor();
-  await waitForState("succeeded", longestRun);
+  assert.equal(await endState(longestRun), "succeeded", await page.locator(".job header").innerText());
 
   await page.getByText("Peak velocity").waitFor();
   await page.getByText("0.40 ms", { exact: true }).first().waitFor();
@@ -114,7 +118,7 @@ test("the example runs to its end while its cell and curves are drawn", async ()
   await page.getByText("0.00 ms", { exact: true }).waitFor();
   await page.waitForTimeout(200);
   const first = await cellPixels(page, ".vessel canvas");
-  assert.ok(first.count > 200 && last.count > 200, `outlines of ${first.count} and ${last.count} pixels`);
+  assert.ok(first.count > 100 && last.count > 100, `outlines of ${first.count} and ${last.count} pixels`);
   assert.ok(
     Math.abs(first.x - 0.2) < 0.03,
     `the cell starts at ${first.x} of the vessel, not at 16 of 80 µm`,
@@ -162,13 +166,13 @@ test("a job is cancelled from the page, and the list shows how both ended, on a 
   await page.getByRole("button", { name: "Run the example" }).click();
   await page.waitForURL(/#\/jobs\//);
   await page.getByRole("button", { name: "Cancel" }).click();
-  await waitForState("cancelled");
+  assert.equal(await endState(), "cancelled");
   const tooWide = () => page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
   assert.ok((await tooWide()) <= 0, "a job fits the screen");
   await page.getByRole("link", { name: "Jobs" }).click();
-  await waitForState("succeeded");
-  await waitForState("cancelled");
-  assert.equal(await page.locator("table.jobs tbody tr").count(), 2);
+  const states = page.locator("table.jobs tbody .state");
+  await states.first().waitFor();
+  assert.deepEqual(await states.allTextContents(), ["cancelled", "succeeded"]);
   assert.ok((await tooWide()) <= 0, "the list fits the screen");
 });
 

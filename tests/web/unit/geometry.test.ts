@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   areaAndCentroid,
+  axisRange,
   mapToWidth,
   nearestIndex,
   niceStep,
@@ -52,6 +53,17 @@ test("steps are 1, 2 or 5 times a power of ten", () => {
   close(niceStep(0.015, 10), 2e-3);
   close(niceStep(80e-6, 16), 5e-6);
   close(niceStep(80e-6, 9), 10e-6);
+});
+
+test("an axis leaves room about its values, and more about those that differ by rounding alone", () => {
+  const [low, high] = axisRange(1, 2, 0.1);
+  close(low, 0.9);
+  close(high, 2.1);
+  const [flatLow, flatHigh] = axisRange(1, 1 + 1e-16, 0.1);
+  close(flatLow, 0.995);
+  close(flatHigh, 1.005);
+  assert.deepEqual(axisRange(0, 0, 0), [-0.005, 0.005]);
+  assert.deepEqual(axisRange(null, null, 0), [0, 1]);
 });
 
 test("the trail keeps the frames nearest to whole steps, each once", () => {
