@@ -1,0 +1,38 @@
+#include "service/api/case_body.h"
+
+#include <utility>
+
+#include "engine/case/case_json.h"
+#include "storage/sha256.h"
+
+namespace rouleau::service {
+
+nlohmann::json read_body(const std::string& body) {
+  try {
+    return parse_json(body);
+  } catch (const CaseError& error) {
+    throw Problem(problems::invalid_json, "the body could not be read", error.faults());
+  }
+}
+
+PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer) {
+  try {
+    PlannedCase planned;
+    planned.resolved = read_case(document);
+    planned.plan = make_plan(planned.resolved);
+    return planned;
+  } catch (const CaseError& error) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) fault.pointer.insert(0, pointer);
+    const auto count = faults.size();
+    throw Problem(problems::invalid_case,
+                  "the case has " + std::to_string(count) + (count == 1 ? " fault" : " faults"),
+                  std::move(faults));
+  }
+}
+
+std::string case_hash(const Case& resolved) {
+  return storage::sha256_hex(to_json(resolved).dump());
+}
+
+}  // namespace rouleau::service

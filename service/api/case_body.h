@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/plan/plan.h"
+#include "service/http/problem.h"
+
+namespace rouleau::service {
+
+/// A body as JSON, within the bounds on cases.
+/// @throws Problem 400 invalid-json
+nlohmann::json read_body(const std::string& body);
+
+struct PlannedCase {
+  Case resolved;
+  Plan plan;
+};
+
+/// Reads and plans a case.
+/// @param pointer  where the case stands in the body; stands before the pointer of every fault
+/// @throws Problem 422 invalid-case with every fault
+PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer);
+
+/// The hash under which a case is known: of its resolved form.
+std::string case_hash(const Case& resolved);
+
+}  // namespace rouleau::service

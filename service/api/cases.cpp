@@ -1,0 +1,24 @@
+#include <nlohmann/json.hpp>
+
+#include "engine/case/case_json.h"
+#include "service/api/case_body.h"
+#include "service/api/service.h"
+#include "service/http/guarded_server.h"
+
+namespace rouleau::service {
+
+void add_cases(Router& router) {
+  router.add(
+      "POST", "/v1/cases:validate",
+      [](const Call& call, httplib::Response& response) {
+        const PlannedCase planned = plan_case(read_body(call.request.body), "");
+        answer_json({{"case", to_json(planned.resolved)}, {"case_hash", case_hash(planned.resolved)}},
+                    response);
+      },
+      Body::json);
+  router.add("GET", "/v1/schema/case.json", [](const Call&, httplib::Response& response) {
+    response.set_content(dump(case_schema()), "application/schema+json");
+  });
+}
+
+}  // namespace rouleau::service

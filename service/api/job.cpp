@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "service/api/etag.h"
+#include "service/api/job_json.h"
+#include "service/api/query.h"
+#include "service/api/service.h"
+#include "service/http/duration.h"
+#include "service/http/guarded_server.h"
+#include "service/http/problem.h"
+#include "service/log.h"
+
+namespace rouleau::service {
+
+namespace {
+
+constexpr std::chrono::seconds longest_wait{60};
+
+std::chrono::milliseconds read_wait(const Call& call) {
+  const auto text = query(call, "wait");
+  if (!text) return std::chrono::milliseconds(0);
+  const auto wait = parse_duration(*text);
+  if (!wait) {
+    throw Problem(problems::invalid_request, "a query parameter is not valid",
+                  {{"?wait", "must be a duration such as 20s or 500ms"}});
+  }
+  return std::min<std::chrono::milliseconds>(*wait, longest_wait);
+}
+
+/// The job once its state differs from what it was, or as it is when the time is up.
+storage::Job wait_for_change(Service& service, const Call& call, std::chrono::milliseconds wait) {
+  const auto deadline = SignalBoard::Clock::now() + wait;
+  std::uint64_t seen = service.queue.changes().version();
+  storage::Job job = find_job(service, call);
+  const storage::JobState before = job.state;
+  while (job.state == before && !storage::has_ended(job.state) &&
+         service.queue.changes().wait(seen, deadline)) {
+    seen = service.queue.changes().version();
+    job = find_job(service, call);
+  }
+  return job;
+}
+
+void get(Service& service, const Call& call, httplib::Response& response) {
+  check_query(call, {"wait"});
+  const storage::Job job = wait_for_change(service, call, read_wait(call));
+  const nlohmann::json body = to_json(job, service.queue.live(), true);
+  if (!storage::has_ended(job.state)) response.set_header("Retry-After", "1");
+  if (!answer_not_modified(call, weak_etag(dump(body)), response)) answer_json(body, response);
+}
+
+void cancel(Service& service, const Call& call, httplib::Response& response) {
+  check_query(call, {});
+  try {
+    const auto job = service.store.request_cancel(call.part("id"));
+    if (!job) throw Problem(problems::not_found, "no job has this id");
+    service.queue.cancel(job->id);
+    log::info("cancellation asked for", {{"request", call.request_id}, {"job", job->id}});
+    answer_json(to_json(*job, service.queue.live(), true), response,
+                storage::has_ended(job->state) ? 200 : 202);
+  } catch (const storage::InvalidTransition& error) {
+    throw Problem(
+        problems::invalid_transition,
+        "the job is " + std::string(storage::to_string(error.state())) + " and cannot be cancelled");
+  }
+}
+
+}  // namespace
+
+storage::Job find_job(Service& service, const Call& call) {
+  auto job = service.store.find(call.part("id"));
+  if (!job) throw Problem(problems::not_found, "no job has this id");
+  return *job;
+}
+
+void add_job(Router& router, Service& service) {
+  router.add("GET", "/v1/jobs/{id}",
+             [&service](const Call& call, httplib::Response& response) { get(service, call, response); });
+  router.add("POST", "/v1/jobs/{id}:cancel",
+             [&service](const Call& call, httplib::Response& response) { cancel(service, call, response); });
+}
+
+}  // namespace rouleau::service

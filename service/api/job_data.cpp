@@ -1,0 +1,45 @@
+#include "service/api/job_data.h"
+
+#include "service/queue/attempt.h"
+
+namespace rouleau::service {
+
+JobData::JobData(Service& service, const storage::Job& job) {
+  if (job.state == storage::JobState::succeeded) {
+    archive_.emplace(archive_path(service.queue.archives(), job.id));
+  } else {
+    live_ = service.queue.live().find(job.id);
+  }
+}
+
+storage::SeriesTable JobData::series() const {
+  if (live_) return live_->series();
+  return archive_ ? archive_->series() : storage::SeriesTable{};
+}
+
+std::vector<double> JobData::frame_times() const {
+  if (live_) return live_->frame_times();
+  return archive_ ? archive_->frame_times() : std::vector<double>{};
+}
+
+std::optional<std::vector<storage::Outline>> JobData::outlines(int k) const {
+  if (live_) return live_->outlines(k);
+  if (!archive_ || k < 0 || k >= archive_->frame_count()) return std::nullopt;
+  return archive_->outlines(k);
+}
+
+std::optional<Frame> JobData::frame(int k) const {
+  if (live_) {
+    const auto times = live_->frame_times();
+    auto last = live_->last_frame();
+    if (last && k >= 0 && static_cast<std::size_t>(k) < times.size() &&
+        last->time == times[static_cast<std::size_t>(k)]) {
+      return last;
+    }
+    return std::nullopt;
+  }
+  if (!archive_ || k < 0 || k >= archive_->frame_count()) return std::nullopt;
+  return archive_->frame(k);
+}
+
+}  // namespace rouleau::service

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "service/api/service.h"
+#include "storage/archive_reader.h"
+
+namespace rouleau::service {
+
+/// What a job has computed so far: from memory while it runs, from its archive once it has succeeded, and
+/// nothing where there is neither.
+class JobData {
+ public:
+  JobData(Service& service, const storage::Job& job);
+
+  storage::SeriesTable series() const;
+  std::vector<double> frame_times() const;  ///< s
+  /// None: no such frame.
+  std::optional<std::vector<storage::Outline>> outlines(int k) const;
+  /// None: no such frame, or one whose particles are no longer in memory and not yet to be read.
+  std::optional<Frame> frame(int k) const;
+  bool is_live() const { return live_ != nullptr; }
+
+ private:
+  std::shared_ptr<LiveJob> live_;
+  std::optional<storage::ArchiveReader> archive_;
+};
+
+}  // namespace rouleau::service

@@ -1,0 +1,56 @@
+#include "service/api/job_json.h"
+
+#include <chrono>
+
+#include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
+
+#include "service/queue/progress_json.h"
+
+namespace rouleau::service {
+
+namespace {
+
+nlohmann::json time_or_null(const std::optional<storage::TimeMs>& time) {
+  return time ? nlohmann::json(format_time(*time)) : nlohmann::json();
+}
+
+nlohmann::json parsed_or_null(const std::optional<std::string>& text) {
+  return text ? nlohmann::json::parse(*text) : nlohmann::json();
+}
+
+nlohmann::json progress_of(const storage::Job& job, const LiveJobs& live) {
+  if (!storage::has_ended(job.state)) {
+    const auto running = live.find(job.id);
+    if (const auto progress = running ? running->progress() : std::nullopt) return to_json(*progress);
+  }
+  return parsed_or_null(job.progress);
+}
+
+}  // namespace
+
+std::string format_time(storage::TimeMs time) {
+  const std::time_t seconds = time / 1000;
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds), time % 1000);
+}
+
+nlohmann::json to_json(const storage::Job& job, const LiveJobs& live, bool with_plan) {
+  nlohmann::json json{{"id", job.id},
+                      {"state", storage::to_string(job.state)},
+                      {"name", job.name},
+                      {"case_hash", job.case_hash},
+                      {"labels", nlohmann::json::parse(job.labels)},
+                      {"priority", job.priority},
+                      {"sweep", nullptr},
+                      {"attempt", job.attempt},
+                      {"created_at", format_time(job.created_at)},
+                      {"started_at", time_or_null(job.started_at)},
+                      {"ended_at", time_or_null(job.ended_at)},
+                      {"progress", progress_of(job, live)},
+                      {"summary", parsed_or_null(job.summary)},
+                      {"error", parsed_or_null(job.error)}};
+  if (with_plan) json["plan"] = nlohmann::json::parse(job.plan);
+  return json;
+}
+
+}  // namespace rouleau::service

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "service/queue/live_jobs.h"
+#include "storage/job.h"
+
+namespace rouleau::service {
+
+/// A job as the API shows it. While it runs, its progress is the live one.
+/// @param with_plan lists leave the plan out
+nlohmann::json to_json(const storage::Job& job, const LiveJobs& live, bool with_plan);
+
+/// RFC 3339 UTC with milliseconds.
+std::string format_time(storage::TimeMs time);
+
+}  // namespace rouleau::service

@@ -1,0 +1,85 @@
+#include <nlohmann/json.hpp>
+
+#include "service/api/job_json.h"
+#include "service/api/new_job.h"
+#include "service/api/query.h"
+#include "service/api/service.h"
+#include "service/http/guarded_server.h"
+#include "service/http/problem.h"
+#include "service/log.h"
+
+namespace rouleau::service {
+
+namespace {
+
+void submit(Service& service, const Call& call, httplib::Response& response) {
+  if (service.draining)
+    throw Problem(problems::draining, "no new jobs are taken while the server shuts down");
+  check_query(call, {});
+  const storage::Job job = service.store.submit(read_new_job(call.request.body));
+  service.queue.wake();
+  log::info("job accepted", {{"request", call.request_id}, {"job", job.id}, {"name", job.name}});
+  response.set_header("Location", "/v1/jobs/" + job.id);
+  response.set_header("Retry-After", "1");
+  answer_json(to_json(job, service.queue.live(), true), response, 202);
+}
+
+storage::JobQuery read_list_query(const Call& call) {
+  check_query(call, {"page_size", "page_token"}, {"state", "label"});
+  storage::JobQuery wanted;
+  std::vector<Fault> faults;
+  const auto [first_state, last_state] = call.request.params.equal_range("state");
+  for (auto it = first_state; it != last_state; ++it) {
+    for (const std::string& name : split_list(it->second)) {
+      if (const auto state = storage::parse_job_state(name)) {
+        wanted.states.push_back(*state);
+      } else {
+        faults.push_back({"?state",
+                          "no state of this name; there are queued, running, cancelling, succeeded, "
+                          "failed, cancelled"});
+      }
+    }
+  }
+  const auto [first_label, last_label] = call.request.params.equal_range("label");
+  for (auto it = first_label; it != last_label; ++it) {
+    const auto colon = it->second.find(':');
+    if (colon == std::string::npos) {
+      faults.push_back({"?label", "must be KEY:VALUE"});
+    } else {
+      wanted.labels.emplace_back(it->second.substr(0, colon), it->second.substr(colon + 1));
+    }
+  }
+  if (!faults.empty()) throw Problem(problems::invalid_request, "the query is not valid", std::move(faults));
+  wanted.page_size = query_integer(call, "page_size", 1, 1000).value_or(wanted.page_size);
+  wanted.page_token = query(call, "page_token").value_or("");
+  return wanted;
+}
+
+void list(Service& service, const Call& call, httplib::Response& response) {
+  const storage::JobQuery wanted = read_list_query(call);
+  storage::JobPage page;
+  try {
+    page = service.store.list(wanted);
+  } catch (const storage::StoreError& error) {
+    if (error.kind() != storage::StoreError::Kind::invalid_argument) throw;
+    throw Problem(problems::invalid_request, "the query is not valid",
+                  {{"?page_token", "not a token that this server gave out"}});
+  }
+  nlohmann::json body{{"jobs", nlohmann::json::array()}};
+  for (const storage::Job& job : page.jobs) body["jobs"].push_back(to_json(job, service.queue.live(), false));
+  if (page.next_page_token) body["next_page_token"] = *page.next_page_token;
+  answer_json(body, response);
+}
+
+}  // namespace
+
+void add_jobs(Router& router, Service& service) {
+  router.add(
+      "POST", "/v1/jobs",
+      [&service](const Call& call, httplib::Response& response) { submit(service, call, response); },
+      Body::json);
+  router.add("GET", "/v1/jobs",
+             [&service](const Call& call, httplib::Response& response) { list(service, call, response); });
+}
+
+}  // namespace rouleau::service

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <atomic>
+
+#include "service/http/router.h"
+#include "service/queue/queue.h"
+#include "storage/job_store.h"
+
+namespace rouleau::service {
+
+/// What the resources of the API work on.
+struct Service {
+  storage::JobStore& store;
+  Queue& queue;
+  std::atomic<bool>& draining;
+};
+
+// One file a resource; each adds its routes.
+void add_jobs(Router& router, Service& service);     ///< /v1/jobs
+void add_job(Router& router, Service& service);      ///< /v1/jobs/{id} and what can be done to it
+void add_series(Router& router, Service& service);   ///< /v1/jobs/{id}/series
+void add_frames(Router& router, Service& service);   ///< /v1/jobs/{id}/frames
+void add_archive(Router& router, Service& service);  ///< /v1/jobs/{id}/archive.h5
+void add_cases(Router& router);                      ///< /v1/cases:validate, /v1/schema/case.json
+void add_problems(Router& router);                   ///< /problems/{name}
+void add_openapi(Router& router);                    ///< /openapi.json
+void add_health(Router& router, const std::atomic<bool>& draining);  ///< /livez, /readyz
+
+/// The job with the id of the route.
+/// @throws Problem 404
+storage::Job find_job(Service& service, const Call& call);
+
+}  // namespace rouleau::service

@@ -1,0 +1,67 @@
+#include "service/commands/run_summary_text.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "service/commands/progress_line.h"
+
+namespace rouleau::service {
+
+namespace {
+
+double number(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+std::string describe_cells(const nlohmann::json& cells) {
+  std::string text;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const auto& cell = cells[k];
+    text += fmt::format(
+        "cell {}: peak velocity {:.4g} mm/s at x = {:.2f} um; tau {:.4f} to {:.4f}; area kept within {:.3f} "
+        "%\n",
+        k, 1e3 * number(cell, "peak_velocity"), 1e6 * number(cell, "peak_velocity_x"),
+        number(cell, "least_tau"), number(cell, "peak_tau"), 100 * number(cell, "area_deviation"));
+  }
+  return text;
+}
+
+std::string describe_effect_times(const nlohmann::json& times) {
+  std::vector<std::pair<double, std::string>> parts;
+  double total = 0;
+  for (const auto& part : times) {
+    parts.emplace_back(number(part, "seconds"), part.value("name", ""));
+    total += parts.back().first;
+  }
+  std::sort(parts.rbegin(), parts.rend());
+  std::string text;
+  for (const auto& [seconds, name] : parts) {
+    text +=
+        fmt::format("  {:24} {:8.2f} s {:5.1f} %\n", name, seconds, total > 0 ? 100 * seconds / total : 0.0);
+  }
+  return text.empty() ? text : "time per effect:\n" + text;
+}
+
+}  // namespace
+
+std::string describe_summary(const nlohmann::json& summary) {
+  std::string text = fmt::format("{}\n{:.4g} ms simulated in {}: {:.0f} steps, {:.0f} steps/s\n",
+                                 summary.value("reason", ""), 1e3 * number(summary, "simulated_time"),
+                                 format_time_left(number(summary, "wall_time")), number(summary, "steps"),
+                                 number(summary, "steps_per_second"));
+  if (const auto cells = summary.find("cells"); cells != summary.end()) text += describe_cells(*cells);
+  text += fmt::format("conservation: {:.4g} um2 in, {:.4g} um2 out, differing by {:.3f} %\n",
+                      1e12 * number(summary, "volume_in"), 1e12 * number(summary, "volume_out"),
+                      100 * number(summary, "volume_mismatch"));
+  text += fmt::format("peak fluid speed {:.4g} mm/s\n", 1e3 * number(summary, "peak_fluid_speed"));
+  if (const auto times = summary.find("effect_times"); times != summary.end())
+    text += describe_effect_times(*times);
+  return text;
+}
+
+}  // namespace rouleau::service

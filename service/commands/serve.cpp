@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <thread>
+
+#include "service/commands/command.h"
+#include "service/http/access.h"
+#include "service/log.h"
+#include "service/server.h"
+
+namespace rouleau::service {
+
+namespace {
+
+std::filesystem::path default_data_folder() {
+  if (const char* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
+    return std::filesystem::path(data) / "rouleau";
+  }
+  const char* const home = std::getenv("HOME");
+  return std::filesystem::path(home == nullptr ? "." : home) / ".local/share/rouleau";
+}
+
+}  // namespace
+
+void add_serve(CLI::App& app, Action& action) {
+  auto* const command = app.add_subcommand("serve", "Run the service: HTTP API, queue, workers and web page");
+  const auto options = std::make_shared<ServeOptions>();
+  const auto log_level = std::make_shared<std::string>("info");
+  options->data = default_data_folder();
+  options->workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+
+  command->add_option("--host", options->host, "Address to listen on; other than loopback needs --token-file")
+      ->capture_default_str();
+  command->add_option("--port", options->port, "Port; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  command
+      ->add_option("--health-port", options->health_port, "Port of /livez and /readyz on 127.0.0.1; 0: none")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str();
+  command->add_option("--data", options->data, "Folder of the job store and the archives")
+      ->envname("ROULEAU_DATA")
+      ->capture_default_str();
+  command->add_option("--workers", options->workers, "Jobs run at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--token-file", options->token_file, "Tokens that may call, one a line");
+  command->add_option("--port-file", options->port_file, "Write the port here once it answers");
+  command->add_option("--web", options->web,
+                      "Folder of the web page (default: the one built with this program)");
+  command->add_option("--log-level", *log_level, "What is logged to standard error")
+      ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
+      ->capture_default_str();
+  command->add_flag("--json", action.json, "Print the address as JSON once it answers");
+  command->callback([&action, options, log_level] {
+    action.run = [&action, options, log_level] {
+      if (!is_loopback(options->host) && options->token_file.empty()) {
+        throw CommandError(exit_bad_input, "listening on " + options->host + " needs --token-file");
+      }
+      log::set_up(*log_level);
+      options->json = action.json;
+      serve(*options);
+      return exit_done;
+    };
+  });
+}
+
+}  // namespace rouleau::service

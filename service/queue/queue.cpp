@@ -1,0 +1,132 @@
+#include "service/queue/queue.h"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "service/http/problem.h"
+#include "service/http/request_id.h"
+#include "service/log.h"
+#include "service/queue/attempt.h"
+#include "service/queue/progress_json.h"
+
+namespace rouleau::service {
+
+namespace {
+
+constexpr std::chrono::seconds heartbeat_interval{2};
+// A job released with a gap becomes due without anybody waking a worker.
+constexpr std::chrono::seconds idle_interval{1};
+
+}  // namespace
+
+Queue::Queue(storage::JobStore& store, std::filesystem::path archives, int workers)
+    : store_(store), archives_(std::move(archives)), owner_("local-" + new_request_id()) {
+  std::filesystem::create_directories(archives_);
+  remove_unfinished_archives(archives_);
+  if (const int recovered = store_.recover(owner_); recovered > 0) {
+    log::info("took back the jobs of a process that died", {{"jobs", std::to_string(recovered)}});
+  }
+  heartbeat_ = std::thread([this] { keep_leases(); });
+  for (int i = 0; i < workers; ++i) workers_.emplace_back([this] { work(); });
+}
+
+Queue::~Queue() {
+  drain();
+}
+
+void Queue::wake() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++wakes_;
+  }
+  woken_.notify_all();
+  changes_.announce();
+}
+
+void Queue::cancel(std::string_view id) {
+  if (const auto job = live_.find(id)) job->stop(StopReason::cancelled);
+  changes_.announce();
+}
+
+void Queue::drain() {
+  {
+    const std::lock_guard lock(mutex_);
+    draining_ = true;
+  }
+  woken_.notify_all();
+  for (const auto& job : live_.running()) job->stop(StopReason::draining);
+  for (auto& worker : workers_) worker.join();
+  workers_.clear();
+  {
+    const std::lock_guard lock(mutex_);
+    leases_needed_ = false;
+  }
+  woken_.notify_all();
+  if (heartbeat_.joinable()) heartbeat_.join();
+  changes_.close();
+}
+
+void Queue::work() {
+  std::unique_lock lock(mutex_);
+  while (!draining_) {
+    const auto seen = wakes_;
+    lock.unlock();
+    bool worked = false;
+    try {
+      worked = work_once();
+    } catch (const std::exception& error) {
+      log::error("no job could be claimed", {{"error", error.what()}});
+    }
+    lock.lock();
+    if (!worked) woken_.wait_for(lock, idle_interval, [&] { return draining_ || wakes_ != seen; });
+  }
+}
+
+bool Queue::work_once() {
+  auto claimed = store_.claim(owner_, lease_time);
+  if (!claimed) return false;
+  changes_.announce();
+  Attempt attempt(store_, live_, archives_, std::move(*claimed));
+  {
+    // A drain that began between the claim and here has not seen this job.
+    const std::lock_guard lock(mutex_);
+    if (draining_) {
+      for (const auto& job : live_.running()) job->stop(StopReason::draining);
+    }
+  }
+  attempt.run();
+  changes_.announce();
+  return true;
+}
+
+void Queue::renew_leases() {
+  for (const auto& job : live_.running()) {
+    const auto progress = job->progress();
+    const auto lease =
+        store_.renew(job->id(), job->attempt(), lease_time,
+                     progress ? std::optional<std::string>(dump(to_json(*progress))) : std::nullopt);
+    if (lease == storage::Lease::cancel_requested) job->stop(StopReason::cancelled);
+    // A job that has just ended is no longer held either; then nobody listens to this.
+    if (lease == storage::Lease::lost) job->stop(StopReason::lease_lost);
+  }
+  if (store_.expire_leases() > 0) wake();
+}
+
+void Queue::keep_leases() {
+  std::unique_lock lock(mutex_);
+  while (leases_needed_) {
+    lock.unlock();
+    try {
+      renew_leases();
+    } catch (const std::exception& error) {
+      log::error("leases could not be renewed", {{"error", error.what()}});
+    }
+    lock.lock();
+    woken_.wait_for(lock, heartbeat_interval, [this] { return !leases_needed_; });
+  }
+}
+
+}  // namespace rouleau::service

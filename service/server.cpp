@@ -1,0 +1,117 @@
+#include "service/server.h"
+
+#include <atomic>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "service/api/page.h"
+#include "service/api/service.h"
+#include "service/http/guarded_server.h"
+#include "service/interrupt.h"
+#include "service/log.h"
+
+namespace rouleau::service {
+
+namespace {
+
+constexpr std::size_t health_threads = 4;
+
+/// A server together with the thread that it answers on.
+class RunningServer {
+ public:
+  RunningServer(Router router, ServerSettings settings, const std::string& host, int port)
+      : server_(std::move(router), std::move(settings)), port_(server_.listen_on(host, port)) {}
+  ~RunningServer() {
+    server_.stop();
+    if (thread_.joinable()) thread_.join();
+  }
+  RunningServer(const RunningServer&) = delete;
+  RunningServer& operator=(const RunningServer&) = delete;
+
+  void start() {
+    thread_ = std::thread([this] { server_.serve(); });
+  }
+  int port() const { return port_; }
+
+ private:
+  GuardedServer server_;
+  int port_;
+  std::thread thread_;
+};
+
+Router make_routes(Service& service, const std::filesystem::path& web) {
+  Router router;
+  add_jobs(router, service);
+  add_job(router, service);
+  add_series(router, service);
+  add_frames(router, service);
+  add_archive(router, service);
+  add_cases(router);
+  add_problems(router);
+  add_openapi(router);
+  const std::filesystem::path folder = web.empty() ? std::filesystem::path(ROULEAU_WEB_DIR) : web;
+  if (add_page(router, folder) == 0) log::warn("there is no web page", {{"folder", folder.string()}});
+  return router;
+}
+
+Router make_health_routes(const std::atomic<bool>& draining) {
+  Router router;
+  add_health(router, draining);
+  return router;
+}
+
+/// Written aside and renamed: whoever sees it sees the whole number.
+void write_port_file(const std::filesystem::path& file, int port) {
+  const std::filesystem::path part = file.string() + ".part";
+  std::ofstream(part) << port << '\n';
+  std::filesystem::rename(part, file);
+}
+
+}  // namespace
+
+void serve(const ServeOptions& options) {
+  // Before any thread is made, so that all of them leave these signals to `wait_for_interrupt`.
+  block_interrupts();
+  ServerSettings settings;
+  if (!options.token_file.empty()) settings.access = Access(read_tokens(options.token_file));
+  ServerSettings health_settings;
+  health_settings.threads = health_threads;
+
+  storage::JobStore store(options.data);
+  std::atomic<bool> draining = false;
+  std::optional<RunningServer> health;
+  if (options.health_port != 0) {
+    health.emplace(make_health_routes(draining), health_settings, "127.0.0.1", options.health_port);
+  }
+  Queue queue(store, options.data / "archives", options.workers);
+  Service service{store, queue, draining};
+  RunningServer api(make_routes(service, options.web), std::move(settings), options.host, options.port);
+
+  if (health) health->start();
+  api.start();
+  const std::string url = "http://" + options.host + ":" + std::to_string(api.port());
+  log::info("serving", {{"url", url},
+                        {"data", options.data.string()},
+                        {"workers", std::to_string(options.workers)},
+                        {"health_port", std::to_string(options.health_port)}});
+  if (!options.port_file.empty()) write_port_file(options.port_file, api.port());
+  if (options.json) {
+    std::cout << nlohmann::json{{"url", url}, {"health_port", options.health_port}}.dump() << std::endl;
+  } else {
+    std::cout << "serving " << url << " with its data in " << options.data.string() << std::endl;
+  }
+
+  const int signal = wait_for_interrupt();
+  log::info("draining", {{"signal", std::to_string(signal)}});
+  draining = true;
+  queue.drain();
+  log::info("drained");
+}
+
+}  // namespace rouleau::service

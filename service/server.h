@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rouleau::service {
+
+struct ServeOptions {
+  std::string host = "127.0.0.1";
+  int port = 8080;
+  int health_port = 8081;
+  std::filesystem::path data;
+  int workers = 1;
+  std::filesystem::path token_file;  ///< empty: no token is asked for
+  std::filesystem::path port_file;   ///< empty: none is written
+  std::filesystem::path web;         ///< empty: the page built with this program
+  bool json = false;
+};
+
+/// Serves until SIGTERM, SIGINT or SIGHUP, then drains: new jobs are refused, runs go back to the queue.
+/// @throws std::runtime_error if an address or the data folder cannot be had
+void serve(const ServeOptions& options);
+
+}  // namespace rouleau::service
