@@ -62,7 +62,10 @@ export class Curves {
     this.time = time;
     const { cells, rows } = this.table;
     this.element.hidden = cells === 0 || rows === 0;
-    if (this.element.hidden) return;
+    if (this.element.hidden) {
+      this.drawnRows = -1;
+      return;
+    }
     for (const entry of this.charts) {
       if (this.drawnRows !== rows || !entry.values) entry.values = this.values(entry.quantity);
       entry.chart.show({

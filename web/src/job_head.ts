@@ -22,6 +22,7 @@ export class JobHead {
 
   constructor(id: string, changed: () => void) {
     this.downloads = downloads(id);
+    this.state.element.setAttribute("role", "status");
     this.cancel.addEventListener("click", async () => {
       this.cancel.disabled = true;
       try {

@@ -32,7 +32,7 @@ export class Player {
     step: 1,
     "aria-label": "Simulated time",
   });
-  private readonly clock = h("output", { class: "clock" });
+  private readonly clock = h("span", { class: "clock" });
   private readonly closeUp = h("input", { type: "checkbox" });
   private readonly flow = h("input", { type: "checkbox" });
   private readonly trail = h("input", { type: "checkbox", checked: true });
@@ -54,6 +54,8 @@ export class Player {
       this.update();
       this.moved();
     });
+    // Without cells the flow is all there is to see.
+    this.flow.checked = !scene.cells?.length;
     this.playButton.addEventListener("click", () => this.playback.toggle());
     this.scrubber.addEventListener("input", () => {
       if (this.playback.playing) this.playback.pause();
