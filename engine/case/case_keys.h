@@ -41,7 +41,7 @@ struct Key {
   std::string name;
   Kind kind = Kind::number;
   std::string description;       ///< one sentence
-  std::string unit = "";         ///< SI; "" where it has none
+  std::string unit = {};         ///< SI; "" where it has none
   Range range = {};              ///< of a number or an integer
   nlohmann::json fallback = {};  ///< its default; null where it has none of its own
   bool required = false;
