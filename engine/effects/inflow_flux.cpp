@@ -24,7 +24,7 @@ class InflowFlux : public Effect {
       const double divergence = state.operators.velocity_gradient(i, particles.u.data()).x +
                                 state.operators.velocity_gradient(i, particles.v.data()).y;
       removed += volume * (divergence - state.source[i]);
-      if (particles.x[i] < source_depth * state.spacing) layer_.push_back(i);
+      if (particles.x[i] < source_depth * state.spacing && particles.cell[i] < 0) layer_.push_back(i);
     }
     if (layer_.empty()) return;
     const double flux = operators::measure_flux(particles, state.plane_at(plane));

@@ -7,6 +7,21 @@
 
 namespace rouleau::observe {
 
+namespace {
+
+// In spacings: clear of the corners where a plug meets the walls.
+constexpr double end_distance = 6;
+
+/// Inlet to outlet: from the first plane on as measured, and before it as developed flow has it.
+double pressure_drop(const effects::State& state, double first_plane_pressure) {
+  const double height = state.outline.height();
+  const double developed_slope = 12 * state.viscosity / (height * height);
+  const double outlet = state.scene.outflow.pressure / state.scales.pressure();
+  return first_plane_pressure + developed_slope * inflow_plane(state) - outlet;
+}
+
+}  // namespace
+
 std::vector<Column> series_columns(const Case& scene) {
   std::vector<Column> columns{{"time", "s"}};
   for (std::size_t k = 0; k < scene.cells.size(); ++k) {
@@ -26,11 +41,11 @@ std::vector<Column> series_columns(const Case& scene) {
 }
 
 double inflow_plane(const effects::State& state) {
-  return 2 * state.spacing;
+  return end_distance * state.spacing;
 }
 
 double outflow_plane(const effects::State& state) {
-  return state.outline.length() - 2 * state.spacing;
+  return state.outline.length() - end_distance * state.spacing;
 }
 
 std::vector<double> series_row(const effects::State& state) {
@@ -41,10 +56,10 @@ std::vector<double> series_row(const effects::State& state) {
     row.insert(row.end(), {m.x, m.y, m.u, m.v, m.tau, m.tau_area, m.area, m.perimeter, m.angle});
   }
   const auto in = operators::measure(state.particles, state.plane_at(inflow_plane(state)));
-  const auto out = operators::measure(state.particles, state.plane_at(outflow_plane(state)));
+  const double out = operators::measure_flux(state.particles, state.plane_at(outflow_plane(state)));
   double divergence = 0;
   for (const double d : state.divergence) divergence = std::max(divergence, std::abs(d));
-  row.insert(row.end(), {in.flux * s.flux(), out.flux * s.flux(), (in.pressure - out.pressure) * s.pressure(),
+  row.insert(row.end(), {in.flux * s.flux(), out * s.flux(), pressure_drop(state, in.pressure) * s.pressure(),
                          static_cast<double>(state.particles.active_end()), state.dt * s.time(),
                          divergence * state.spacing});
   return row;

@@ -10,7 +10,7 @@ namespace rouleau::observe {
 /// Columns of the time series of a scene, in their fixed order.
 std::vector<Column> series_columns(const Case& scene);
 
-/// The planes at which flow through the ends is measured: two spacings inside the vessel.
+/// The planes at which flow through the ends is measured: six spacings inside the vessel.
 double inflow_plane(const effects::State& state);
 double outflow_plane(const effects::State& state);
 
