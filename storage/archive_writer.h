@@ -5,12 +5,15 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/observe/output.h"
 #include "engine/simulation/run.h"
 #include "storage/archive_error.h"
 
 namespace rouleau::storage {
+
+class UnfinishedFile;
 
 struct ArchiveFile {
   std::uint64_t size = 0;  ///< bytes
@@ -38,9 +41,20 @@ class ArchiveWriter : public Output {
 
  private:
   struct Parts;
+
+  template <class Work>
+  void write(Work&& work);
+  template <class Work>
+  void work_or_discard(Work&& work);
+  void discard();
+
   std::filesystem::path path_;
   std::string case_given_;
+  std::unique_ptr<UnfinishedFile> file_;
   std::unique_ptr<Parts> parts_;
+  int capacity_ = 0;
+  std::vector<int> nodes_per_cell_;
+  std::vector<double> frame_times_;
 };
 
 /// Where an archive grows until it is finished. An ArchiveReader of the same process can open it there.

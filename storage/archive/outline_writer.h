@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/observe/output.h"
+#include "storage/hdf5/growing_array.h"
+
+namespace rouleau::storage {
+
+/// What a frame says of the cells: `/outlines/cell{k}` [T][nodes][2], `/observables/cell{k}_area` [T], and
+/// once `/connectivity/membrane_bonds` [bonds][2], pairs of particle ids.
+class OutlineWriter {
+ public:
+  OutlineWriter(hid_t file, const std::vector<int>& nodes_per_cell);
+
+  void add(const Frame& frame);
+
+ private:
+  void write_bonds(const Frame& frame);
+
+  std::vector<int> nodes_per_cell_;
+  std::vector<hdf5::GrowingArray> outlines_;
+  std::vector<hdf5::GrowingArray> areas_;
+  hdf5::Dataset bonds_;
+  bool bonds_written_ = false;
+};
+
+}  // namespace rouleau::storage

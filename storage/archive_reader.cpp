@@ -1,0 +1,198 @@
+#include "storage/archive_reader.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/case/case_error.h"
+#include "engine/case/case_json.h"
+#include "storage/archive/timed_group.h"
+#include "storage/hdf5/array_reader.h"
+#include "storage/hdf5/session.h"
+#include "storage/hdf5/text.h"
+
+namespace rouleau::storage {
+
+namespace {
+
+using hdf5::checked;
+using hdf5::read_record;
+
+const std::string trajectory = "/particles/trajectory/";
+
+bool exists(hid_t file, const std::string& path) {
+  return checked(H5Lexists(file, path.c_str(), H5P_DEFAULT), path) > 0;
+}
+
+/// Runs `read(file)` with the archive open.
+template <class Read>
+auto opened(const std::filesystem::path& path, Read&& read) {
+  const hdf5::Session session;
+  const hdf5::File file(
+      checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "cannot open " + path.string()));
+  try {
+    return read(file.get());
+  } catch (const ArchiveError& error) {
+    throw ArchiveError(error.kind(), path.string() + ": " + error.what());
+  }
+}
+
+nlohmann::json parsed(const std::string& text, const std::string& name) {
+  try {
+    return parse_json(text);
+  } catch (const CaseError&) {
+    throw ArchiveError(ArchiveError::Kind::format, name + " is no JSON");
+  }
+}
+
+nlohmann::json read_json(hid_t file, const std::string& path) {
+  return parsed(hdf5::read_text(file, path), path);
+}
+
+std::vector<Column> read_columns(hid_t file) {
+  const hdf5::Group series(checked(H5Gopen2(file, "/series", H5P_DEFAULT), "series"));
+  std::vector<Column> columns;
+  for (const std::string& name : hdf5::read_text_attribute(series.get(), "columns")) {
+    const hdf5::Dataset column(checked(H5Dopen2(series.get(), name.c_str(), H5P_DEFAULT), name));
+    const auto unit = hdf5::read_text_attribute(column.get(), "unit");
+    columns.push_back({name, unit.empty() ? "" : unit.front()});
+  }
+  return columns;
+}
+
+int count_frames(hid_t file) {
+  return static_cast<int>(hdf5::shape_of(file, time_path, 1)[0]);
+}
+
+hsize_t checked_frame(hid_t file, int k) {
+  const int count = count_frames(file);
+  if (k < 0 || k >= count) {
+    throw ArchiveError(ArchiveError::Kind::range,
+                       "there is no frame " + std::to_string(k) + " among " + std::to_string(count));
+  }
+  return static_cast<hsize_t>(k);
+}
+
+Frame read_frame(hid_t file, hsize_t k) {
+  const auto capacity = static_cast<std::size_t>(hdf5::shape_of(file, trajectory + "id/value", 2)[1]);
+  const auto path = [](const char* element) { return trajectory + element + "/value"; };
+  const auto alive = read_record<std::uint8_t>(file, path("alive"), k, capacity);
+  const auto id = read_record<std::int64_t>(file, path("id"), k, capacity);
+  const auto species = read_record<std::uint8_t>(file, path("species"), k, capacity);
+  const auto cell = read_record<std::int32_t>(file, path("cell"), k, capacity);
+  const auto position = read_record<float>(file, path("position"), k, 3 * capacity);
+  const auto velocity = read_record<float>(file, path("velocity"), k, 3 * capacity);
+  const auto pressure = read_record<float>(file, path("pressure"), k, capacity);
+
+  Frame frame;
+  frame.time = read_record<double>(file, time_path, k, 1)[0];
+  frame.step = static_cast<long>(read_record<std::int64_t>(file, step_path, k, 1)[0]);
+  for (std::size_t i = 0; i < capacity; ++i) {
+    if (alive[i] == 0) continue;
+    if (species[i] > static_cast<std::uint8_t>(ParticleKind::membrane)) {
+      throw ArchiveError(ArchiveError::Kind::format, "a particle of no known species");
+    }
+    frame.id.push_back(id[i]);
+    frame.kind.push_back(static_cast<ParticleKind>(species[i]));
+    frame.cell.push_back(cell[i]);
+    frame.x.push_back(position[3 * i]);
+    frame.y.push_back(position[3 * i + 1]);
+    frame.u.push_back(velocity[3 * i]);
+    frame.v.push_back(velocity[3 * i + 1]);
+    frame.p.push_back(pressure[i]);
+  }
+  return frame;
+}
+
+std::vector<Outline> read_outlines(hid_t file, hsize_t k) {
+  std::vector<Outline> outlines;
+  if (!exists(file, "/outlines")) return outlines;
+  for (int c = 0; exists(file, "/outlines/cell" + std::to_string(c)); ++c) {
+    const std::string path = "/outlines/cell" + std::to_string(c) + "/value";
+    const auto nodes = static_cast<std::size_t>(hdf5::shape_of(file, path, 3)[1]);
+    const auto xy = read_record<float>(file, path, k, 2 * nodes);
+    Outline& outline = outlines.emplace_back();
+    for (std::size_t i = 0; i < nodes; ++i) {
+      outline.x.push_back(xy[2 * i]);
+      outline.y.push_back(xy[2 * i + 1]);
+    }
+  }
+  return outlines;
+}
+
+SeriesTable read_series(hid_t file, const std::vector<std::string>& names) {
+  const std::vector<Column> all = read_columns(file);
+  SeriesTable table;
+  if (names.empty()) table.columns = all;
+  for (const std::string& name : names) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Column& c) { return c.name == name; });
+    if (found == all.end()) throw ArchiveError(ArchiveError::Kind::range, "the series has no column " + name);
+    table.columns.push_back(*found);
+  }
+  for (const Column& column : table.columns) {
+    table.values.push_back(hdf5::read_column<double>(file, "/series/" + column.name));
+    if (table.values.back().size() != table.values.front().size()) {
+      throw ArchiveError(ArchiveError::Kind::format, "the columns of the series differ in length");
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+ArchiveReader::ArchiveReader(std::filesystem::path path) : path_(std::move(path)) {
+  opened(path_, [](hid_t file) {
+    if (!exists(file, "/h5md") || !exists(file, "/parameters") || !exists(file, "/series")) {
+      throw ArchiveError(ArchiveError::Kind::format, "not an archive of a run");
+    }
+  });
+}
+
+std::vector<Column> ArchiveReader::columns() const {
+  return opened(path_, read_columns);
+}
+
+SeriesTable ArchiveReader::series(const std::vector<std::string>& names) const {
+  return opened(path_, [&](hid_t file) { return read_series(file, names); });
+}
+
+int ArchiveReader::frame_count() const {
+  return opened(path_, count_frames);
+}
+
+std::vector<double> ArchiveReader::frame_times() const {
+  return opened(path_, [](hid_t file) { return hdf5::read_column<double>(file, time_path); });
+}
+
+Frame ArchiveReader::frame(int k) const {
+  return opened(path_, [&](hid_t file) { return read_frame(file, checked_frame(file, k)); });
+}
+
+std::vector<Outline> ArchiveReader::outlines(int k) const {
+  return opened(path_, [&](hid_t file) { return read_outlines(file, checked_frame(file, k)); });
+}
+
+std::string ArchiveReader::case_given() const {
+  return opened(path_, [](hid_t file) { return hdf5::read_text(file, "/parameters/case_given"); });
+}
+
+nlohmann::json ArchiveReader::case_resolved() const {
+  return opened(path_, [](hid_t file) { return read_json(file, "/parameters/case_resolved"); });
+}
+
+nlohmann::json ArchiveReader::plan() const {
+  return opened(path_, [](hid_t file) { return read_json(file, "/parameters/plan"); });
+}
+
+std::string ArchiveReader::version() const {
+  return opened(path_, [](hid_t file) { return hdf5::read_text(file, "/parameters/version"); });
+}
+
+nlohmann::json ArchiveReader::summary() const {
+  return opened(path_, [](hid_t file) -> nlohmann::json {
+    if (!exists(file, "/parameters/summary")) return nullptr;
+    return read_json(file, "/parameters/summary");
+  });
+}
+
+}  // namespace rouleau::storage

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+
+namespace rouleau::storage {
+
+/// Gives a file that was written aside its final name, for good: the content is on the disk before the name,
+/// and the name before this returns.
+/// @throws ArchiveError
+void publish(const std::filesystem::path& aside, const std::filesystem::path& final_name);
+
+}  // namespace rouleau::storage

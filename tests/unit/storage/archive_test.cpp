@@ -1,0 +1,228 @@
+#include "storage/archive.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "engine/case/case_json.h"
+#include "storage/sha256.h"
+#include "tests/unit/storage/scratch.h"
+#include "tests/unit/storage/synthetic_run.h"
+
+namespace rouleau::storage {
+namespace {
+
+class Archive : public testing::Test {
+ protected:
+  ArchiveFile written(int frames) {
+    ArchiveWriter writer(path, synthetic_case_given);
+    deliver(writer, frames);
+    return writer.finish(SyntheticRun::summary());
+  }
+
+  static ArchiveError::Kind kind_of(const std::function<void()>& call) {
+    try {
+      call();
+    } catch (const ArchiveError& error) {
+      EXPECT_NE(std::string(error.what()), "");
+      return error.kind();
+    }
+    ADD_FAILURE() << "no error";
+    return {};
+  }
+
+  ScratchFolder folder;
+  std::filesystem::path path = folder.path() / "run & co.h5";
+};
+
+TEST_F(Archive, GivesBackTheFramesOfTheRun) {
+  written(8);
+  const ArchiveReader reader(path);
+  ASSERT_EQ(reader.frame_count(), 8);
+  for (int k = 0; k < 8; ++k) {
+    const Frame expected = SyntheticRun::frame(k);
+    const Frame found = reader.frame(k);
+    EXPECT_EQ(found.time, expected.time);
+    EXPECT_EQ(found.step, expected.step);
+    ASSERT_EQ(found.id.size(), expected.id.size());
+    std::map<std::int64_t, std::size_t> place;
+    for (std::size_t i = 0; i < found.id.size(); ++i) place[found.id[i]] = i;
+    for (std::size_t i = 0; i < expected.id.size(); ++i) {
+      ASSERT_TRUE(place.contains(expected.id[i])) << "frame " << k << " lost " << expected.id[i];
+      const std::size_t j = place[expected.id[i]];
+      if (expected.kind[i] == ParticleKind::membrane) {
+        EXPECT_EQ(j, i) << "membrane nodes keep their order";
+      }
+      EXPECT_EQ(found.kind[j], expected.kind[i]);
+      EXPECT_EQ(found.cell[j], expected.cell[i]);
+      EXPECT_EQ(found.x[j], expected.x[i]);
+      EXPECT_EQ(found.y[j], expected.y[i]);
+      EXPECT_EQ(found.u[j], expected.u[i]);
+      EXPECT_EQ(found.v[j], expected.v[i]);
+      EXPECT_EQ(found.p[j], expected.p[i]);
+    }
+  }
+}
+
+TEST_F(Archive, GivesBackSeriesOutlinesAndTexts) {
+  written(4);
+  const ArchiveReader reader(path);
+  const SeriesTable all = reader.series();
+  ASSERT_EQ(all.columns.size(), 3u);
+  EXPECT_EQ(all.columns[1].name, "cell0.x");
+  EXPECT_EQ(all.columns[1].unit, "m");
+  ASSERT_EQ(all.values[0].size(), 20u);
+  EXPECT_EQ(all.values[1][7], SyntheticRun::row(7)[1]);
+  const SeriesTable two = reader.series({"particles", "time"});
+  EXPECT_EQ(two.columns[0].name, "particles");
+  EXPECT_EQ(two.values[0][3], 44);
+  EXPECT_EQ(two.values[1], all.values[0]);
+
+  EXPECT_EQ(reader.frame_times(), (std::vector<double>{0, 1e-4, 2e-4, 1e-4 * 3}));
+  const auto outlines = reader.outlines(2);
+  ASSERT_EQ(outlines.size(), 2u);
+  const Frame frame = SyntheticRun::frame(2);
+  EXPECT_EQ(outlines[1].x, std::vector<float>(frame.x.begin() + 12, frame.x.begin() + 24));
+  EXPECT_EQ(outlines[1].y, std::vector<float>(frame.y.begin() + 12, frame.y.begin() + 24));
+
+  const RunHeader header = SyntheticRun::header();
+  EXPECT_EQ(reader.case_given(), synthetic_case_given);
+  EXPECT_EQ(reader.case_resolved(), to_json(header.resolved));
+  EXPECT_EQ(reader.plan(), to_json(header.plan));
+  EXPECT_EQ(reader.version(), engine_version());
+  EXPECT_EQ(reader.summary(), to_json(SyntheticRun::summary()));
+}
+
+TEST_F(Archive, TellsSizeAndHashOfWhatLiesUnderItsName) {
+  const ArchiveFile file = written(3);
+  EXPECT_EQ(file.size, std::filesystem::file_size(path));
+  EXPECT_EQ(file.sha256, sha256_hex_of_file(path));
+  std::ifstream stream(path, std::ios::binary);
+  std::stringstream content;
+  content << stream.rdbuf();
+  EXPECT_EQ(file.sha256, sha256_hex(content.str()));
+  EXPECT_TRUE(std::filesystem::exists(sidecar_path(path)));
+  const auto entries = std::distance(std::filesystem::directory_iterator(folder.path()), {});
+  EXPECT_EQ(entries, 2) << "nothing is left aside";
+}
+
+TEST_F(Archive, IsReadWhileItIsWritten) {
+  ArchiveWriter writer(path, synthetic_case_given);
+  deliver(writer, 3);
+  const ArchiveReader reader(unfinished_path(path));
+  EXPECT_EQ(reader.frame_count(), 3);
+  writer.series_row(SyntheticRun::row(15));
+  writer.frame(SyntheticRun::frame(3));
+  EXPECT_EQ(reader.frame_count(), 4);
+  EXPECT_EQ(reader.frame(3).time, SyntheticRun::frame(3).time);
+  EXPECT_EQ(reader.series().values[0].size(), 16u);
+  EXPECT_TRUE(reader.summary().is_null());
+  EXPECT_FALSE(std::filesystem::exists(path));
+  writer.finish(SyntheticRun::summary());
+  EXPECT_FALSE(ArchiveReader(path).summary().is_null());
+}
+
+TEST_F(Archive, OfARunWithoutCellsFramesOrSeries) {
+  ArchiveWriter writer(path, "{}");
+  RunHeader header = SyntheticRun::header();
+  header.nodes_per_cell.clear();
+  header.columns.clear();
+  writer.begin(header);
+  writer.finish(SyntheticRun::summary());
+  const ArchiveReader reader(path);
+  EXPECT_EQ(reader.frame_count(), 0);
+  EXPECT_TRUE(reader.frame_times().empty());
+  EXPECT_TRUE(reader.series().columns.empty());
+  EXPECT_EQ(kind_of([&] { reader.frame(0); }), ArchiveError::Kind::range);
+}
+
+TEST_F(Archive, HoldsALongSeriesWithoutFrames) {
+  ArchiveWriter writer(path, "{}");
+  writer.begin(SyntheticRun::header());
+  for (int i = 0; i < 5000; ++i) writer.series_row(SyntheticRun::row(i));
+  writer.finish(SyntheticRun::summary());
+  const auto table = ArchiveReader(path).series({"time"});
+  ASSERT_EQ(table.values[0].size(), 5000u);
+  EXPECT_EQ(table.values[0][4321], SyntheticRun::row(4321)[0]);
+}
+
+TEST_F(Archive, ThatIsNotFinishedLeavesNothing) {
+  {
+    ArchiveWriter writer(path, "{}");
+    deliver(writer, 3);
+    EXPECT_TRUE(std::filesystem::exists(unfinished_path(path)));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_F(Archive, TakesThePlaceOfAnEarlierOneWhenItIsWhole) {
+  const ArchiveFile first = written(2);
+  {
+    ArchiveWriter writer(path, "{}");
+    deliver(writer, 3);
+  }
+  EXPECT_EQ(sha256_hex_of_file(path), first.sha256);
+  written(5);
+  EXPECT_EQ(ArchiveReader(path).frame_count(), 5);
+}
+
+TEST_F(Archive, RefusesWhatDoesNotFitItsHeader) {
+  const auto refused = [&](const std::function<void(ArchiveWriter&)>& call) {
+    ArchiveWriter writer(path, "{}");
+    writer.begin(SyntheticRun::header());
+    EXPECT_EQ(kind_of([&] { call(writer); }), ArchiveError::Kind::misuse);
+  };
+  refused([](ArchiveWriter& w) { w.series_row(std::vector<double>{1, 2}); });
+  refused([](ArchiveWriter& w) { w.begin(SyntheticRun::header()); });
+  refused([](ArchiveWriter& w) {
+    Frame frame = SyntheticRun::frame(0);
+    frame.p.pop_back();
+    w.frame(frame);
+  });
+  refused([](ArchiveWriter& w) {
+    Frame frame = SyntheticRun::frame(0);
+    frame.id.back() = frame.id.front();
+    w.frame(frame);
+  });
+  refused([](ArchiveWriter& w) {
+    Frame frame = SyntheticRun::frame(0);
+    frame.cell[5] = 1;
+    w.frame(frame);
+  });
+  refused([](ArchiveWriter& w) {
+    Frame frame = SyntheticRun::frame(0);
+    for (int i = 0; i < 6; ++i) {
+      frame.id.push_back(5000 + i);
+      frame.kind.push_back(ParticleKind::plasma);
+      frame.cell.push_back(-1);
+      for (auto* array : {&frame.x, &frame.y, &frame.u, &frame.v, &frame.p}) array->push_back(0);
+    }
+    w.frame(frame);
+  });
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+  ArchiveWriter unbegun(path, "{}");
+  EXPECT_EQ(kind_of([&] { unbegun.finish(SyntheticRun::summary()); }), ArchiveError::Kind::misuse);
+}
+
+TEST_F(Archive, SaysWhatItDoesNotHave) {
+  written(2);
+  const ArchiveReader reader(path);
+  EXPECT_EQ(kind_of([&] { reader.frame(2); }), ArchiveError::Kind::range);
+  EXPECT_EQ(kind_of([&] { reader.frame(-1); }), ArchiveError::Kind::range);
+  EXPECT_EQ(kind_of([&] { reader.outlines(9); }), ArchiveError::Kind::range);
+  EXPECT_EQ(kind_of([&] { reader.series({"cell9.x"}); }), ArchiveError::Kind::range);
+  EXPECT_EQ(kind_of([&] { reader.series({"../h5md"}); }), ArchiveError::Kind::range);
+  EXPECT_EQ(kind_of([&] { ArchiveReader(folder.path() / "none.h5"); }), ArchiveError::Kind::io);
+}
+
+TEST_F(Archive, IntoAFolderThatIsNotThere) {
+  ArchiveWriter writer(folder.path() / "none" / "run.h5", "{}");
+  EXPECT_EQ(kind_of([&] { writer.begin(SyntheticRun::header()); }), ArchiveError::Kind::io);
+}
+
+}  // namespace
+}  // namespace rouleau::storage
