@@ -37,7 +37,7 @@ async function request(path: string, init: RequestInit = {}): Promise<Response> 
     response = await fetch(path, { cache: "no-store", ...init });
   } catch (cause) {
     if (cause instanceof DOMException && cause.name === "AbortError") throw cause;
-    throw new Problem(0, "The service cannot be reached", "Trying again.");
+    throw new Problem(0, "The service cannot be reached", "The page goes on trying.");
   }
   if (!response.ok) throw await problemOf(response);
   return response;

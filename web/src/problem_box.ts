@@ -13,12 +13,12 @@ export function faultList(faults: FieldError[]): HTMLElement {
 /** What went wrong with a request, with every fault of a body that was refused. */
 export function problemBox(failure: unknown): HTMLElement {
   const [title, detail] =
-    failure instanceof Problem ? [failure.title, failure.detail] : ["Something went wrong.", String(failure)];
+    failure instanceof Problem ? [failure.title, failure.detail] : ["Something went wrong", String(failure)];
   return h(
     "div",
     { class: "notice bad", role: "alert" },
     h("strong", {}, title),
-    detail && ` ${detail}`,
+    detail && h("p", {}, detail),
     failure instanceof Problem && failure.errors.length > 0 && faultList(failure.errors),
   );
 }

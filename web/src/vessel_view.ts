@@ -39,7 +39,9 @@ function drawParticles(
   particles.x.forEach((x, i) => {
     const fraction = Math.hypot(particles.u[i]!, particles.v[i]!) / topSpeed;
     const step = Math.min(colourSteps - 1, Math.floor(fraction * colourSteps));
-    paths[step]!.rect(map.toX(x) - size / 2, map.toY(particles.y[i]!) - size / 2, size, size);
+    const [left, up] = [map.toX(x), map.toY(particles.y[i]!)];
+    paths[step]!.moveTo(left + size / 2, up);
+    paths[step]!.arc(left, up, size / 2, 0, 2 * Math.PI);
   });
   paths.forEach((path, step) => {
     context.fillStyle = speedColour(step / (colourSteps - 1));

@@ -17,7 +17,7 @@ const flags = [
   "--disable-sync",
 ];
 const patience = 30_000;
-const longestRun = 200_000;
+const longestRun = 150_000;
 
 let server: Server;
 let profile: string;
