@@ -10,6 +10,7 @@ target_compile_options(
             -Wconversion
             -Wno-sign-conversion
             -Werror
+            -Wno-restrict  # GCC 12 sees overlap in "text" + std::string() (its bug 105651)
             -fopenmp-simd
             -fno-math-errno
             -fno-trapping-math)
