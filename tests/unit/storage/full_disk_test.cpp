@@ -1,13 +1,11 @@
 #include <fstream>
-#include <sched.h>
-#include <sys/mount.h>
-#include <sys/resource.h>
 
 #include <gtest/gtest.h>
 
 #include "storage/job_store.h"
 #include "tests/unit/storage/child_process.h"
 #include "tests/unit/storage/scratch.h"
+#include "tests/unit/storage/small_disk.h"
 
 namespace rouleau::storage {
 namespace {
@@ -43,14 +41,6 @@ std::string fill_and_go_on(const std::filesystem::path& folder, StoreError::Kind
   return "went on";
 }
 
-/// Limits how large a file of this process may become; what is beyond fails as it does on a quota.
-void limit_file_size(rlim_t bytes) {
-  rlimit limit{};
-  getrlimit(RLIMIT_FSIZE, &limit);
-  limit.rlim_cur = bytes;
-  setrlimit(RLIMIT_FSIZE, &limit);
-}
-
 TEST(FullDisk, AFileSizeLimitIsATypedErrorAndTheStoreGoesOn) {
   const ScratchFolder folder;
   ChildProcess child([&](const ChildProcess::Tell& tell) {
@@ -60,13 +50,6 @@ TEST(FullDisk, AFileSizeLimitIsATypedErrorAndTheStoreGoesOn) {
         [] { limit_file_size(RLIM_INFINITY); }));
   });
   EXPECT_EQ(child.read_line(), "went on");
-}
-
-/// A file system of one megabyte, seen by this process alone. False where the system does not let us mount.
-bool mount_small_disk(const std::filesystem::path& folder) {
-  return unshare(geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS) == 0 &&
-         mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-         mount("none", folder.c_str(), "tmpfs", 0, "size=1m") == 0;
 }
 
 TEST(FullDisk, ASmallFileSystemIsATypedErrorAndTheStoreGoesOn) {
