@@ -35,6 +35,16 @@ export function speed(metresPerSecond: number): string {
   return `${(metresPerSecond * 1e3).toFixed(2)} mm/s`;
 }
 
+/** How fast a run goes: "3.1 steps/s", "412 steps/s". */
+export function stepRate(stepsPerSecond: number): string {
+  return `${stepsPerSecond.toFixed(stepsPerSecond < 10 ? 1 : 0)} steps/s`;
+}
+
+/** A sentence as the service words it, with a capital. */
+export function sentence(text: string): string {
+  return text.charAt(0).toUpperCase() + text.slice(1);
+}
+
 /** When something happened, seen from `now`: "3 min ago", or the date once that says more. */
 export function ago(iso: string, now: number): string {
   const then = Date.parse(iso);

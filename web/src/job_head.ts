@@ -74,7 +74,7 @@ export class JobHead {
       parts.push(
         `${format.milliseconds(progress.simulated_time)} of ${format.milliseconds(progress.duration)}`,
       );
-      if (progress.steps_per_second > 0) parts.push(`${Math.round(progress.steps_per_second)} steps/s`);
+      if (progress.steps_per_second > 0) parts.push(format.stepRate(progress.steps_per_second));
     }
     setText(this.times, parts.join(" · "));
   }

@@ -1,5 +1,6 @@
 import { Problem, type FieldError } from "./api.ts";
 import { h } from "./dom.ts";
+import { sentence } from "./format.ts";
 
 /** The faults of a case, each with the place in it. */
 export function faultList(faults: FieldError[]): HTMLElement {
@@ -18,7 +19,7 @@ export function problemBox(failure: unknown): HTMLElement {
     "div",
     { class: "notice bad", role: "alert" },
     h("strong", {}, title),
-    detail && h("p", {}, detail),
+    detail && h("p", {}, sentence(detail)),
     failure instanceof Problem && failure.errors.length > 0 && faultList(failure.errors),
   );
 }

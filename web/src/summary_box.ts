@@ -28,14 +28,11 @@ export function summaryBox(summary: Summary): HTMLElement {
   return h(
     "section",
     { class: "summary", "aria-label": "Summary" },
-    summary.reason && h("p", { class: "quiet" }, summary.reason),
+    summary.reason && h("p", { class: "quiet" }, format.sentence(summary.reason)),
     facts([
       ...ofCells,
       ["Simulated", format.milliseconds(summary.simulated_time)],
-      [
-        "Computed in",
-        `${format.duration(summary.wall_time)} (${Math.round(summary.steps_per_second)} steps/s)`,
-      ],
+      ["Computed in", `${format.duration(summary.wall_time)} (${format.stepRate(summary.steps_per_second)})`],
     ]),
   );
 }
@@ -75,7 +72,7 @@ export function errorBox(error: JobError): HTMLElement {
     "div",
     { class: "notice bad", role: "alert" },
     h("strong", {}, kinds[error.kind] ?? "The job failed"),
-    h("p", {}, error.message),
+    h("p", {}, format.sentence(error.message)),
     error.errors && faultList(error.errors),
     breach.length > 0 && facts(breach),
   );

@@ -35,6 +35,11 @@ test("quantities come in µm, ms and mm/s", () => {
   assert.equal(format.speed(0.0072), "7.20 mm/s");
 });
 
+test("slow runs keep a digit more", () => {
+  assert.equal(format.stepRate(3.07), "3.1 steps/s");
+  assert.equal(format.stepRate(412.3), "412 steps/s");
+});
+
 test("a moment is told from now, and as a date after a day", () => {
   const now = Date.parse("2024-05-02T12:00:00Z");
   assert.equal(format.ago("2024-05-02T11:59:57.250Z", now), "just now");
