@@ -38,7 +38,7 @@ std::string UuidSource::next(TimeMs now) {
     if (high_ == high_bits) ++time_;
     high_ = static_cast<std::uint16_t>((high_ + 1) & high_bits);
   }
-  std::array<char, 37> text{};
+  std::array<char, 80> text{};  // 37 are used; room for what the fields could hold by their types
   std::snprintf(text.data(), text.size(), "%08llx-%04llx-7%03x-%04llx-%012llx",
                 static_cast<unsigned long long>(time_ >> 16), static_cast<unsigned long long>(time_ & 0xffff),
                 high_, static_cast<unsigned long long>(0x8000 | (low_ >> 48)),
