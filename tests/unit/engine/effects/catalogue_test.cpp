@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "engine/case/case_keys.h"
+#include "engine/effects/effect.h"
+#include "tests/unit/engine/effects/prepared_state.h"
+#include "tests/unit/engine/simulation/scenes.h"
+
+namespace rouleau::effects {
+namespace {
+
+TEST(Catalogue, NamesAreUniqueAndCanBeWrittenInACase) {
+  std::set<std::string_view> names;
+  for (const EffectKind* kind : catalogue()) {
+    EXPECT_TRUE(names.insert(kind->name).second) << kind->name;
+    EXPECT_TRUE(is_lower_snake_case(kind->name)) << kind->name;
+  }
+  EXPECT_GT(names.size(), 10u);
+}
+
+TEST(Catalogue, RunsStageByStage) {
+  const auto& kinds = catalogue();
+  EXPECT_TRUE(std::is_sorted(kinds.begin(), kinds.end(),
+                             [](const EffectKind* a, const EffectKind* b) { return a->stage < b->stage; }));
+}
+
+TEST(Catalogue, EveryAnswerHasAReasonAndPointsIntoTheCase) {
+  for (const Case& scene : {coarse_vessel(), coarse_vessel_with_cells()}) {
+    for (const EffectKind* kind : catalogue()) {
+      const Need need = kind->need(scene);
+      EXPECT_FALSE(need.reason.empty()) << kind->name;
+      EXPECT_TRUE(need.pointer.empty() || need.pointer[0] == '/') << kind->name;
+    }
+  }
+}
+
+TEST(Catalogue, MembranesEffectsAreCalledForByCellsAlone) {
+  std::set<std::string> of_membranes;
+  for (const EffectKind* kind : catalogue()) {
+    const bool without = kind->need(coarse_vessel()).called_for;
+    const bool with = kind->need(coarse_vessel_with_cells()).called_for;
+    EXPECT_TRUE(with) << kind->name;
+    if (!without) of_membranes.insert(std::string(kind->name));
+  }
+  EXPECT_EQ(of_membranes, (std::set<std::string>{"stretch", "bending", "contact", "membrane_coupling",
+                                                 "area_control", "membrane_clearance", "membrane_sides"}));
+}
+
+TEST(Catalogue, EveryEffectCanBeMade) {
+  State state = prepared_state(coarse_vessel_with_cells());
+  for (const EffectKind* kind : catalogue()) EXPECT_NE(kind->make(state), nullptr) << kind->name;
+}
+
+TEST(Catalogue, StagesHaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (const Stage stage :
+       {Stage::boundaries, Stage::forces, Stage::viscosity, Stage::pressure, Stage::motion, Stage::checks}) {
+    EXPECT_TRUE(names.insert(name_of(stage)).second);
+  }
+}
+
+}  // namespace
+}  // namespace rouleau::effects

@@ -1,0 +1,166 @@
+#include "engine/linear/two_level_cg.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+namespace rouleau::linear {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+SparseRows sparse(const Matrix& a) {
+  SparseRows rows;
+  rows.clear();
+  for (int i = 0; i < a.rows(); ++i) {
+    for (int j = 0; j < a.cols(); ++j) {
+      if (i != j && a(i, j) != 0) rows.add(j, static_cast<float>(a(i, j)));
+    }
+    rows.end_row(a(i, i));
+  }
+  return rows;
+}
+
+std::vector<int> aggregates_of(int n, int count) {
+  std::vector<int> aggregate;
+  for (int i = 0; i < n; ++i) aggregate.push_back(i * count / n);
+  return aggregate;
+}
+
+Solve solve(const SparseRows& rows, const std::vector<int>& aggregate, int aggregates, const Vector& b,
+            Vector& x, double tolerance, int most = 500) {
+  TwoLevelCg solver;
+  solver.prepare(rows, aggregate, aggregates);
+  const auto n = static_cast<std::size_t>(b.size());
+  return solver.solve(rows, {b.data(), n}, {x.data(), n}, tolerance, most);
+}
+
+/// Symmetric, exact in float, its eigenvalues from `least` up.
+Matrix random_symmetric(int n, double least) {
+  Matrix a = Matrix::Random(n, n);
+  a = (a + a.transpose()).eval().cast<float>().cast<double>();
+  const double lowest = Eigen::SelfAdjointEigenSolver<Matrix>(a).eigenvalues()[0];
+  a.diagonal().array() += least - lowest;
+  return a;
+}
+
+TEST(TwoLevelCg, AgreesWithADenseSolve) {
+  EXPECT_TRUE(rc::check([] {
+    std::srand(*rc::gen::arbitrary<unsigned>());
+    const int n = *rc::gen::inRange(1, 50);
+    const int aggregates = *rc::gen::inRange(1, n + 1);
+    const Matrix a = random_symmetric(n, 1);
+    const Vector b = Vector::Random(n), exact = a.ldlt().solve(b);
+    Vector x = *rc::gen::arbitrary<bool>() ? Vector(Vector::Zero(n)) : Vector(Vector::Random(n));
+    const Solve result = solve(sparse(a), aggregates_of(n, aggregates), aggregates, b, x, 1e-10);
+    RC_ASSERT(result.converged);
+    RC_ASSERT((x - exact).norm() < 1e-8 * (1 + exact.norm()));
+  }));
+}
+
+TEST(TwoLevelCg, AnEmptyAggregateDoesNoHarm) {
+  const Matrix a = random_symmetric(12, 1);
+  const Vector b = Vector::Random(12);
+  Vector x = Vector::Zero(12);
+  EXPECT_TRUE(solve(sparse(a), aggregates_of(12, 3), 7, b, x, 1e-10).converged);
+  EXPECT_LT((a * x - b).norm(), 1e-8);
+}
+
+TEST(TwoLevelCg, ZeroRightHandSideFromZeroIsZero) {
+  const SparseRows rows = sparse(random_symmetric(10, 1));
+  Vector x = Vector::Zero(10);
+  const Solve result = solve(rows, aggregates_of(10, 3), 3, Vector::Zero(10), x, 1e-8);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.iterations, 0);
+  EXPECT_EQ(x.norm(), 0);
+}
+
+TEST(TwoLevelCg, SaysWhenItRanOutOfIterations) {
+  const SparseRows rows = sparse(random_symmetric(40, 0.01));
+  Vector x = Vector::Zero(40);
+  const Solve result = solve(rows, aggregates_of(40, 4), 4, Vector::Random(40), x, 1e-12, 3);
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.iterations, 3);
+}
+
+TEST(TwoLevelCg, OnlyClaimsWhatItSolvedWhenTheMatrixIsIndefinite) {
+  EXPECT_TRUE(rc::check([] {
+    std::srand(*rc::gen::arbitrary<unsigned>());
+    const int n = *rc::gen::inRange(2, 30);
+    const Matrix a = random_symmetric(n, -1);
+    const Vector b = Vector::Random(n);
+    Vector x = Vector::Zero(n);
+    const Solve result = solve(sparse(a), aggregates_of(n, 2), 2, b, x, 1e-6, 300);
+    RC_ASSERT(result.iterations <= 300);
+    if (result.converged) RC_ASSERT((a * x - b).norm() < 1e-3 * b.norm());
+  }));
+}
+
+TEST(TwoLevelCg, NeverClaimsToHaveSolvedASingularSystem) {
+  Matrix a = Matrix::Identity(8, 8);
+  a(3, 3) = 0;
+  const Vector b = Vector::Ones(8);
+  Vector x = Vector::Zero(8);
+  EXPECT_FALSE(solve(sparse(a), aggregates_of(8, 2), 2, b, x, 1e-8).converged);
+  x = Vector::Zero(8);
+  EXPECT_FALSE(solve(sparse(Matrix::Zero(8, 8)), aggregates_of(8, 2), 2, b, x, 1e-8).converged);
+}
+
+TEST(TwoLevelCg, NeverClaimsToHaveSolvedWhatIsNotANumber) {
+  Vector b = Vector::Ones(6), x = Vector::Zero(6);
+  b[1] = std::numeric_limits<double>::quiet_NaN();
+  const Solve result = solve(sparse(random_symmetric(6, 1)), aggregates_of(6, 2), 2, b, x, 1e-8);
+  EXPECT_FALSE(result.converged);
+  EXPECT_LE(result.iterations, 1);
+}
+
+/// Five-point Laplacian of a strip ten nodes wide, held at its far end alone, as a vessel's pressure is.
+int strip_iterations(int length, int block) {
+  constexpr int width = 10;
+  SparseRows rows;
+  rows.clear();
+  std::vector<int> aggregate;
+  const int blocks_across = width / block;
+  for (int a = 0; a < length; ++a) {
+    for (int b = 0; b < width; ++b) {
+      int count = a == length - 1;  // the held neighbour beyond the end
+      const auto couple = [&](int c, int d) {
+        if (c < 0 || c >= length || d < 0 || d >= width) return;
+        rows.add(c * width + d, -1);
+        ++count;
+      };
+      couple(a - 1, b);
+      couple(a, b - 1);
+      couple(a, b + 1);
+      couple(a + 1, b);
+      rows.end_row(count);
+      aggregate.push_back(a / block * blocks_across + b / block);
+    }
+  }
+  const int n = rows.rows();
+  std::srand(3);
+  const Vector b = Vector::Random(n);
+  Vector x = Vector::Zero(n);
+  const Solve result = solve(rows, aggregate, aggregate.back() + 1, b, x, 1e-6, 5000);
+  EXPECT_TRUE(result.converged);
+  return result.iterations;
+}
+
+TEST(TwoLevelCg, IterationsHardlyGrowWithTheLengthOfTheVessel) {
+  const int short_vessel = strip_iterations(40, 5), long_vessel = strip_iterations(640, 5);
+  EXPECT_LE(long_vessel, 1.5 * short_vessel) << short_vessel << " and " << long_vessel;
+}
+
+TEST(TwoLevelCg, WithoutACoarseSpaceToSpeakOfTheyWouldGrow) {
+  // One aggregate ten nodes wide and 640 long is hardly a coarse space: what the test above could not see.
+  const int coarse = strip_iterations(640, 5);
+  SCOPED_TRACE(coarse);
+  EXPECT_GT(strip_iterations(640, 10), coarse);
+}
+
+}  // namespace
+}  // namespace rouleau::linear

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/simulation/run.h"
+
+namespace rouleau {
+
+/// Keeps all that a run delivers.
+struct Recorder : Output {
+  RunHeader header;
+  std::vector<std::vector<double>> rows;
+  std::vector<Frame> frames;
+  std::vector<Progress> told;
+
+  void begin(const RunHeader& given) override { header = given; }
+  void series_row(std::span<const double> row) override { rows.emplace_back(row.begin(), row.end()); }
+  void frame(const Frame& frame) override { frames.push_back(frame); }
+  void progress(const Progress& progress) override { told.push_back(progress); }
+};
+
+}  // namespace rouleau
