@@ -88,7 +88,6 @@ export class Chart {
           label: data.values.length > 2 ? `cell ${k}` : yLabel,
           stroke: () => this.cellColour(k),
           width: 2,
-          spanGaps: true,
           points: { show: false },
           value,
         })),

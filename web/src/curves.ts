@@ -92,9 +92,11 @@ export class Curves {
 
   private marks({ name, factor }: Quantity): (Mark | undefined)[] {
     const time = this.table.column("time");
+    // The newest frame may be a little ahead of the newest row.
+    const shown = Math.min(this.time, this.table.lastTime ?? 0);
     return Array.from({ length: this.table.cells }, (_, cell) => {
-      const x = valueAt(time, this.x(cell), this.time);
-      const y = valueAt(time, this.table.column(`cell${cell}.${name}`), this.time);
+      const x = valueAt(time, this.x(cell), shown);
+      const y = valueAt(time, this.table.column(`cell${cell}.${name}`), shown);
       return x === undefined || y === undefined ? undefined : { x, y: y * factor };
     });
   }

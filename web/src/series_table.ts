@@ -60,27 +60,29 @@ export function onlyForward(x: Value[], y: Value[]): [number[], Value[]] {
   return [xs, ys];
 }
 
-/** Curves of different abscissas on one: `[x, y0, y1, ...]`, null where a curve has no point. */
+/**
+ * Curves of different abscissas on one: `[x, y0, y1, ...]`. Each is linear between its own points and null
+ * beyond them.
+ */
 export function joinCurves(curves: [number[], Value[]][]): [number[], ...Value[][]] {
   const xs = [...new Set(curves.flatMap(([x]) => x))].sort((a, b) => a - b);
-  const place = new Map(xs.map((x, i) => [x, i]));
-  const joined = curves.map(([x, y]) => {
-    const column = new Array<Value>(xs.length).fill(null);
-    x.forEach((value, i) => (column[place.get(value)!] = y[i] ?? null));
-    return column;
+  return [xs, ...curves.map(([x, y]) => valuesAt(x, y, xs))];
+}
+
+/** A curve's values at ascending abscissas; null outside of it or beside a missing value. */
+function valuesAt(x: number[], y: Value[], wanted: number[]): Value[] {
+  let right = 0;
+  return wanted.map((place) => {
+    while (right < x.length && x[right]! < place) right++;
+    if (x[right] === place) return y[right] ?? null;
+    const [before, after] = [y[right - 1], y[right]];
+    if (before == null || after == null) return null;
+    return before + ((after - before) * (place - x[right - 1]!)) / (x[right]! - x[right - 1]!);
   });
-  return [xs, ...joined];
 }
 
 /** Linear between the rows; undefined outside of them or where a value is missing. */
 export function valueAt(time: Value[], values: Value[], wanted: number): number | undefined {
-  const after = time.findIndex((t) => t !== null && t >= wanted - 1e-12);
-  if (after < 0) return undefined;
-  const right = values[after];
-  const left = values[after - 1];
-  const t1 = time[after]!;
-  const t0 = time[after - 1];
-  if (right == null) return undefined;
-  if (left == null || t0 == null || t1 === t0) return right;
-  return left + ((right - left) * (wanted - t0)) / (t1 - t0);
+  const [times, present] = onlyForward(time, values);
+  return valuesAt(times, present, [wanted])[0] ?? undefined;
 }

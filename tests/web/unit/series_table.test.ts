@@ -33,7 +33,7 @@ test("a curve over position leaves out where the cell was pushed back", () => {
   ]);
 });
 
-test("curves of two cells share one ascending abscissa", () => {
+test("curves of two cells share one ascending abscissa, each linear between its own points", () => {
   assert.deepEqual(
     joinCurves([
       [
@@ -41,14 +41,14 @@ test("curves of two cells share one ascending abscissa", () => {
         [10, 30],
       ],
       [
-        [2, 3],
-        [20, null],
+        [2, 3, 4],
+        [20, null, 40],
       ],
     ]),
     [
-      [1, 2, 3],
-      [10, null, 30],
-      [null, 20, null],
+      [1, 2, 3, 4],
+      [10, 20, 30, null],
+      [null, 20, null, 40],
     ],
   );
 });
