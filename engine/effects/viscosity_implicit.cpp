@@ -1,10 +1,11 @@
 #include "engine/effects/viscosity_implicit.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/error/simulation_error.h"
 #include "engine/linear/bicgstab.h"
-#include "engine/linear/sparse_rows.h"
 
 namespace rouleau::effects {
 
@@ -18,11 +19,9 @@ class ViscosityImplicit : public Effect {
  public:
   void apply(State& state) override {
     assemble(state);
-    const int n = matrix_.rows();
     const auto& particles = state.particles;
     double norm2 = 0;
-    change_.resize(2 * n);
-    for (int i = 0; i < n; ++i) {
+    for (int i = 0; i < particles.active_end(); ++i) {
       change_[2 * i] = particles.du[i];
       change_[2 * i + 1] = particles.dv[i];
       norm2 += particles.u[i] * particles.u[i] + particles.v[i] * particles.v[i];
@@ -36,38 +35,46 @@ class ViscosityImplicit : public Effect {
   }
 
  private:
-  /// Rows scaled by their diagonal; the right-hand side is the residual of the present velocities, so that
-  /// the unknown is their change.
+  /// Rows scaled by their diagonal, on the pattern of the neighbour list: pairs with walls and buffers have
+  /// weight 0, as their velocities do not change. The right-hand side is the residual of the present
+  /// velocities, so that the unknown is their change.
   void assemble(State& state) {
     const auto& particles = state.particles;
     const auto& list = state.neighbours;
-    const auto& laplacian = state.operators.laplacian();
+    const float* laplacian = state.operators.laplacian().data();
     const int n = particles.active_end();
     const double dt = state.dt;
     const double diffusion = dt * state.viscosity;
-    matrix_.clear();
+    weight_.resize(list.j.size());
     inverse_diagonal_.resize(n);
-    residual_.assign(2 * n, 0);
-    rate_.assign(2 * n, 0);
-    velocity_.resize(2 * n);
-    for (int i = 0; i < n; ++i) {
+    // Padded to all that a pair can point to.
+    const auto length = 2 * static_cast<std::size_t>(particles.velocity_end());
+    residual_.assign(length, 0);
+    change_.assign(length, 0);
+    rate_.assign(length, 0);
+    velocity_.resize(length);
+    for (int i = 0; i < particles.velocity_end(); ++i) {
       velocity_[2 * i] = particles.u[i];
       velocity_[2 * i + 1] = particles.v[i];
     }
     for (const ImplicitForce* force : state.implicit_forces) force->add_rate(velocity_.data(), rate_.data());
     for (int i = 0; i < n; ++i) {
-      double diagonal = 1, lu = 0, lv = 0;
-      for (int k = list.begin(i); k < list.end(i); ++k) {
-        const int j = list.j[k];
-        diagonal += diffusion * laplacian[k];
-        lu += laplacian[k] * (particles.u[j] - particles.u[i]);
-        lv += laplacian[k] * (particles.v[j] - particles.v[i]);
+      const int begin = list.begin(i), end = list.end(i);
+      const int* j = list.j.data();
+      const double* velocity = velocity_.data();
+      const double u = velocity[2 * i], v = velocity[2 * i + 1];
+      double sum = 0, lu = 0, lv = 0;
+#pragma omp simd reduction(+ : sum, lu, lv)
+      for (int k = begin; k < end; ++k) {
+        sum += laplacian[k];
+        lu += laplacian[k] * (velocity[2 * j[k]] - u);
+        lv += laplacian[k] * (velocity[2 * j[k] + 1] - v);
       }
-      const double inverse = 1 / diagonal;
-      for (int k = list.begin(i); k < list.end(i); ++k) {
-        if (list.j[k] < n) matrix_.add(list.j[k], static_cast<float>(-diffusion * laplacian[k] * inverse));
-      }
-      matrix_.end_row(1);
+      const double inverse = 1 / (1 + diffusion * sum);
+      const auto scale = static_cast<float>(-diffusion * inverse);
+      float* weight = weight_.data();
+#pragma omp simd
+      for (int k = begin; k < end; ++k) weight[k] = j[k] < n ? scale * laplacian[k] : 0.0F;
       inverse_diagonal_[i] = inverse;
       const operators::Gradient gp = state.operators.pressure_gradient(i, particles.p.data());
       residual_[2 * i] = inverse * (dt * (state.ax[i] - gp.x) + diffusion * lu + dt * dt * rate_[2 * i]);
@@ -77,22 +84,34 @@ class ViscosityImplicit : public Effect {
   }
 
   void multiply(const State& state, std::span<const double> in, std::span<double> out) {
-    const int n = matrix_.rows();
-    const int* column = matrix_.column.data();
-    const float* value = matrix_.value.data();
+    const auto& list = state.neighbours;
+    const int n = list.rows();
+    const int* j = list.j.data();
+    const float* weight = weight_.data();
+    const double* from = in.data();
     for (int i = 0; i < n; ++i) {
-      double u = in[2 * i], v = in[2 * i + 1];
-#pragma omp simd reduction(+ : u, v)
-      for (int k = matrix_.begin[i]; k < matrix_.begin[i + 1]; ++k) {
-        u += value[k] * in[2 * column[k]];
-        v += value[k] * in[2 * column[k] + 1];
+      // Both components of a neighbour lie side by side: one load each. Four sums at once, since each is a
+      // chain of dependent additions.
+      std::array<double, 8> sum{from[2 * i], from[2 * i + 1]};
+      const int end = list.end(i);
+      int k = list.begin(i);
+      for (; k + 4 <= end; k += 4) {
+        for (int lane = 0; lane < 4; ++lane) {
+          sum[2 * lane] += weight[k + lane] * from[2 * j[k + lane]];
+          sum[2 * lane + 1] += weight[k + lane] * from[2 * j[k + lane] + 1];
+        }
       }
-      out[2 * i] = u;
-      out[2 * i + 1] = v;
+      for (; k < end; ++k) {
+        sum[0] += weight[k] * from[2 * j[k]];
+        sum[1] += weight[k] * from[2 * j[k] + 1];
+      }
+      out[2 * i] = (sum[0] + sum[2]) + (sum[4] + sum[6]);
+      out[2 * i + 1] = (sum[1] + sum[3]) + (sum[5] + sum[7]);
     }
+    std::fill(out.begin() + 2 * n, out.end(), 0.0);
     if (state.implicit_forces.empty()) return;
-    rate_.assign(2 * n, 0);
-    for (const ImplicitForce* force : state.implicit_forces) force->add_rate(in.data(), rate_.data());
+    std::fill(rate_.begin(), rate_.end(), 0.0);
+    for (const ImplicitForce* force : state.implicit_forces) force->add_rate(from, rate_.data());
     const double dt2 = state.dt * state.dt;
     for (int i = 0; i < n; ++i) {
       out[2 * i] -= dt2 * inverse_diagonal_[i] * rate_[2 * i];
@@ -102,7 +121,7 @@ class ViscosityImplicit : public Effect {
 
   void update(State& state) const {
     auto& particles = state.particles;
-    for (int i = 0; i < matrix_.rows(); ++i) {
+    for (int i = 0; i < particles.active_end(); ++i) {
       particles.du[i] = change_[2 * i];
       particles.dv[i] = change_[2 * i + 1];
       particles.u[i] += change_[2 * i];
@@ -119,8 +138,8 @@ class ViscosityImplicit : public Effect {
                            .step = state.step});
   }
 
-  linear::SparseRows matrix_;
   linear::BiCgStab solver_;
+  std::vector<float> weight_;
   std::vector<double> inverse_diagonal_, residual_, change_, velocity_, rate_;
 };
 

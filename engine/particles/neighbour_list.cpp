@@ -10,16 +10,17 @@ NeighbourList::NeighbourList(const Extent& extent, double radius, double near_ra
     : extent_(extent),
       radius_(radius),
       near_radius_(near_radius),
-      columns_(static_cast<int>((extent.x1 - extent.x0) / radius) + 1),
-      rows_(static_cast<int>((extent.y1 - extent.y0) / radius) + 1) {}
+      bin_(radius / 2),
+      columns_(static_cast<int>((extent.x1 - extent.x0) / bin_) + 1),
+      rows_(static_cast<int>((extent.y1 - extent.y0) / bin_) + 1) {}
 
 int NeighbourList::column(double x) const {
-  const double at = std::clamp((x - extent_.x0) / radius_, 0.0, columns_ - 1.0);
+  const double at = std::clamp((x - extent_.x0) / bin_, 0.0, columns_ - 1.0);
   return static_cast<int>(at);
 }
 
 int NeighbourList::row(double y) const {
-  const double at = std::clamp((y - extent_.y0) / radius_, 0.0, rows_ - 1.0);
+  const double at = std::clamp((y - extent_.y0) / bin_, 0.0, rows_ - 1.0);
   return static_cast<int>(at);
 }
 
@@ -44,6 +45,26 @@ void NeighbourList::file_particles(const ParticleSet& particles) {
   }
 }
 
+void NeighbourList::append_pairs(const ParticleSet& particles, int i, const int* others, int count) {
+  const std::size_t at = j.size();
+  j.insert(j.end(), others, others + count);
+  for (auto* values : {&dx, &dy, &r}) values->resize(j.size());
+  const double* x = particles.x.data();
+  const double* y = particles.y.data();
+  const double xi = x[i], yi = y[i];
+  float* out_x = &dx[at];
+  float* out_y = &dy[at];
+  float* out_r = &r[at];
+#pragma omp simd
+  for (int k = 0; k < count; ++k) {
+    const auto ex = static_cast<float>(x[others[k]] - xi);
+    const auto ey = static_cast<float>(y[others[k]] - yi);
+    out_x[k] = ex;
+    out_y[k] = ey;
+    out_r[k] = std::sqrt(ex * ex + ey * ey);
+  }
+}
+
 void NeighbourList::build(const ParticleSet& particles) {
   file_particles(particles);
   const int active = particles.active_end();
@@ -58,45 +79,44 @@ void NeighbourList::build(const ParticleSet& particles) {
   ghost.clear();
   longest_row_ = 0;
 
-  std::vector<int> found, far;
+  for (auto* found : {&near_, &far_, &near_ghosts_}) found->resize(particles.x.size() + 1);
   for (int i = 0; i < active; ++i) {
-    found.clear();
-    far.clear();
     const double xi = particles.x[i];
     const double yi = particles.y[i];
     const int cx = column(xi);
     const int cy = row(yi);
-    for (int a = std::max(cx - 1, 0); a <= std::min(cx + 1, columns_ - 1); ++a) {
-      const int from = bin_begin_[a * rows_ + std::max(cy - 1, 0)];
-      const int to = bin_begin_[a * rows_ + std::min(cy + 1, rows_ - 1) + 1];
+    int nears = 0, fars = 0, ghosts = 0;
+    for (int a = std::max(cx - 2, 0); a <= std::min(cx + 2, columns_ - 1); ++a) {
+      const int from = bin_begin_[a * rows_ + std::max(cy - 2, 0)];
+      const int to = bin_begin_[a * rows_ + std::min(cy + 2, rows_ - 1) + 1];
+      // Written always and counted only if wanted: the outcome is too irregular for branches.
       for (int k = from; k < to; ++k) {
         const double ex = filed_x_[k] - xi;
         const double ey = filed_y_[k] - yi;
         const double r2 = ex * ex + ey * ey;
-        if (!(r2 < radius2) || filed_[k] == i) continue;
-        if (filed_[k] >= first_ghost) {
-          if (r2 < near2) {
-            ghost.push_back(filed_[k]);
-            ghost_r.push_back(static_cast<float>(std::sqrt(r2)));
-          }
-        } else {
-          (r2 < near2 ? found : far).push_back(filed_[k]);
-        }
+        const int other = filed_[k];
+        const bool ghostly = other >= first_ghost;
+        const bool within = r2 < radius2 && other != i;
+        const bool close = r2 < near2;
+        near_[nears] = other;
+        far_[fars] = other;
+        near_ghosts_[ghosts] = other;
+        nears += within & close & !ghostly;
+        fars += within & !close & !ghostly;
+        ghosts += within & close & ghostly;
       }
     }
-    near_end_.push_back(begin_.back() + static_cast<int>(found.size()));
-    found.insert(found.end(), far.begin(), far.end());
-    for (const int other : found) {
-      const auto ex = static_cast<float>(particles.x[other] - xi);
-      const auto ey = static_cast<float>(particles.y[other] - yi);
-      j.push_back(other);
-      dx.push_back(ex);
-      dy.push_back(ey);
-      r.push_back(std::sqrt(ex * ex + ey * ey));
-    }
+    near_end_.push_back(begin_.back() + nears);
+    append_pairs(particles, i, near_.data(), nears);
+    append_pairs(particles, i, far_.data(), fars);
     begin_.push_back(static_cast<int>(j.size()));
+    longest_row_ = std::max(longest_row_, nears + fars);
+    for (int k = 0; k < ghosts; ++k) {
+      const int other = near_ghosts_[k];
+      ghost.push_back(other);
+      ghost_r.push_back(static_cast<float>(std::hypot(particles.x[other] - xi, particles.y[other] - yi)));
+    }
     ghost_begin_.push_back(static_cast<int>(ghost.size()));
-    longest_row_ = std::max(longest_row_, static_cast<int>(found.size()));
   }
 }
 

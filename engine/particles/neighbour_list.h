@@ -40,18 +40,21 @@ class NeighbourList {
 
  private:
   void file_particles(const ParticleSet& particles);
+  void append_pairs(const ParticleSet& particles, int i, const int* others, int count);
   int column(double x) const;
   int row(double y) const;
 
   Extent extent_;
   double radius_;
   double near_radius_;
+  double bin_;  ///< width of the bins: half the radius
   int columns_;
   int rows_;
   int longest_row_ = 0;
   std::vector<int> begin_, near_end_, ghost_begin_;
   std::vector<int> bin_begin_, bin_of_, filed_;
   std::vector<double> filed_x_, filed_y_;
+  std::vector<int> near_, far_, near_ghosts_;  ///< found for one particle
 };
 
 }  // namespace rouleau::particles
