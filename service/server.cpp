@@ -89,10 +89,12 @@ void serve(const ServeOptions& options) {
   if (options.health_port != 0) {
     health.emplace(make_health_routes(draining), health_settings, "127.0.0.1", options.health_port);
   }
-  Queue queue(store, options.data / "archives", options.workers);
+  Queue queue(store, options.data / "archives");
   Service service{store, queue, draining};
   RunningServer api(make_routes(service, options.web), std::move(settings), options.host, options.port);
 
+  // Only now that the addresses are ours is a job touched.
+  queue.start(options.workers);
   if (health) health->start();
   api.start();
   const std::string url = "http://" + options.host + ":" + std::to_string(api.port());

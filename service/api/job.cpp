@@ -19,6 +19,8 @@ namespace rouleau::service {
 namespace {
 
 constexpr std::chrono::seconds longest_wait{60};
+// Each holds one of the server's threads; beyond that a client is answered at once and asks again.
+constexpr int most_waiting = 32;
 
 std::chrono::milliseconds read_wait(const Call& call) {
   const auto text = query(call, "wait");
@@ -31,9 +33,25 @@ std::chrono::milliseconds read_wait(const Call& call) {
   return std::min<std::chrono::milliseconds>(*wait, longest_wait);
 }
 
+/// Counts a request among those that wait.
+class Waiting {
+ public:
+  explicit Waiting(std::atomic<int>& count) : count_(count), now_(++count) {}
+  ~Waiting() { --count_; }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+  bool too_many() const { return now_ > most_waiting; }
+
+ private:
+  std::atomic<int>& count_;
+  const int now_;
+};
+
 /// The job once its state differs from what it was, or as it is when the time is up.
 storage::Job wait_for_change(Service& service, const Call& call, std::chrono::milliseconds wait) {
   const auto deadline = SignalBoard::Clock::now() + wait;
+  const Waiting waiting(service.waiting);
+  if (waiting.too_many()) return find_job(service, call);
   std::uint64_t seen = service.queue.changes().version();
   storage::Job job = find_job(service, call);
   const storage::JobState before = job.state;
@@ -48,7 +66,7 @@ storage::Job wait_for_change(Service& service, const Call& call, std::chrono::mi
 void get(Service& service, const Call& call, httplib::Response& response) {
   check_query(call, {"wait"});
   const storage::Job job = wait_for_change(service, call, read_wait(call));
-  const nlohmann::json body = to_json(job, service.queue.live(), true);
+  const nlohmann::json body = job_in_full(service, job);
   if (!storage::has_ended(job.state)) response.set_header("Retry-After", "1");
   if (!answer_not_modified(call, weak_etag(dump(body)), response)) answer_json(body, response);
 }
@@ -60,8 +78,7 @@ void cancel(Service& service, const Call& call, httplib::Response& response) {
     if (!job) throw Problem(problems::not_found, "no job has this id");
     service.queue.cancel(job->id);
     log::info("cancellation asked for", {{"request", call.request_id}, {"job", job->id}});
-    answer_json(to_json(*job, service.queue.live(), true), response,
-                storage::has_ended(job->state) ? 200 : 202);
+    answer_json(job_in_full(service, *job), response, storage::has_ended(job->state) ? 200 : 202);
   } catch (const storage::InvalidTransition& error) {
     throw Problem(
         problems::invalid_transition,
@@ -75,6 +92,13 @@ storage::Job find_job(Service& service, const Call& call) {
   auto job = service.store.find(call.part("id"));
   if (!job) throw Problem(problems::not_found, "no job has this id");
   return *job;
+}
+
+nlohmann::json job_in_full(Service& service, const storage::Job& job) {
+  nlohmann::json json = to_json(job, service.queue.live());
+  json["plan"] = nlohmann::json::parse(job.plan);
+  if (const auto text = service.store.case_text(job.id)) json["case"] = nlohmann::json::parse(text->resolved);
+  return json;
 }
 
 void add_job(Router& router, Service& service) {

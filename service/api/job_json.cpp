@@ -34,23 +34,21 @@ std::string format_time(storage::TimeMs time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds), time % 1000);
 }
 
-nlohmann::json to_json(const storage::Job& job, const LiveJobs& live, bool with_plan) {
-  nlohmann::json json{{"id", job.id},
-                      {"state", storage::to_string(job.state)},
-                      {"name", job.name},
-                      {"case_hash", job.case_hash},
-                      {"labels", nlohmann::json::parse(job.labels)},
-                      {"priority", job.priority},
-                      {"sweep", nullptr},
-                      {"attempt", job.attempt},
-                      {"created_at", format_time(job.created_at)},
-                      {"started_at", time_or_null(job.started_at)},
-                      {"ended_at", time_or_null(job.ended_at)},
-                      {"progress", progress_of(job, live)},
-                      {"summary", parsed_or_null(job.summary)},
-                      {"error", parsed_or_null(job.error)}};
-  if (with_plan) json["plan"] = nlohmann::json::parse(job.plan);
-  return json;
+nlohmann::json to_json(const storage::Job& job, const LiveJobs& live) {
+  return {{"id", job.id},
+          {"state", storage::to_string(job.state)},
+          {"name", job.name},
+          {"case_hash", job.case_hash},
+          {"labels", nlohmann::json::parse(job.labels)},
+          {"priority", job.priority},
+          {"sweep", nullptr},
+          {"attempt", job.attempt},
+          {"created_at", format_time(job.created_at)},
+          {"started_at", time_or_null(job.started_at)},
+          {"ended_at", time_or_null(job.ended_at)},
+          {"progress", progress_of(job, live)},
+          {"summary", parsed_or_null(job.summary)},
+          {"error", parsed_or_null(job.error)}};
 }
 
 }  // namespace rouleau::service

@@ -9,9 +9,8 @@
 
 namespace rouleau::service {
 
-/// A job as the API shows it. While it runs, its progress is the live one.
-/// @param with_plan lists leave the plan out
-nlohmann::json to_json(const storage::Job& job, const LiveJobs& live, bool with_plan);
+/// A job as lists show it: without its plan and its case. While it runs, its progress is the live one.
+nlohmann::json to_json(const storage::Job& job, const LiveJobs& live);
 
 /// RFC 3339 UTC with milliseconds.
 std::string format_time(storage::TimeMs time);

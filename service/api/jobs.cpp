@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <nlohmann/json.hpp>
 
 #include "service/api/job_json.h"
@@ -12,16 +14,24 @@ namespace rouleau::service {
 
 namespace {
 
+storage::Job store(Service& service, storage::NewJob job) {
+  try {
+    return service.store.submit(std::move(job));
+  } catch (const storage::StoreError& error) {
+    throw Problem(problems::unavailable, error.what());
+  }
+}
+
 void submit(Service& service, const Call& call, httplib::Response& response) {
   if (service.draining)
     throw Problem(problems::draining, "no new jobs are taken while the server shuts down");
   check_query(call, {});
-  const storage::Job job = service.store.submit(read_new_job(call.request.body));
+  const storage::Job job = store(service, read_new_job(call.request.body));
   service.queue.wake();
   log::info("job accepted", {{"request", call.request_id}, {"job", job.id}, {"name", job.name}});
   response.set_header("Location", "/v1/jobs/" + job.id);
   response.set_header("Retry-After", "1");
-  answer_json(to_json(job, service.queue.live(), true), response, 202);
+  answer_json(job_in_full(service, job), response, 202);
 }
 
 storage::JobQuery read_list_query(const Call& call) {
@@ -66,7 +76,7 @@ void list(Service& service, const Call& call, httplib::Response& response) {
                   {{"?page_token", "not a token that this server gave out"}});
   }
   nlohmann::json body{{"jobs", nlohmann::json::array()}};
-  for (const storage::Job& job : page.jobs) body["jobs"].push_back(to_json(job, service.queue.live(), false));
+  for (const storage::Job& job : page.jobs) body["jobs"].push_back(to_json(job, service.queue.live()));
   if (page.next_page_token) body["next_page_token"] = *page.next_page_token;
   answer_json(body, response);
 }

@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "service/http/router.h"
 #include "service/queue/queue.h"
 #include "storage/job_store.h"
@@ -13,6 +15,7 @@ struct Service {
   storage::JobStore& store;
   Queue& queue;
   std::atomic<bool>& draining;
+  std::atomic<int> waiting = 0;  ///< requests that wait for a change
 };
 
 // One file a resource; each adds its routes.
@@ -29,5 +32,8 @@ void add_health(Router& router, const std::atomic<bool>& draining);  ///< /livez
 /// The job with the id of the route.
 /// @throws Problem 404
 storage::Job find_job(Service& service, const Call& call);
+
+/// A job with its plan and its resolved case.
+nlohmann::json job_in_full(Service& service, const storage::Job& job);
 
 }  // namespace rouleau::service

@@ -15,7 +15,7 @@ namespace rouleau::service {
 struct ConnectionTimeouts {
   std::chrono::milliseconds idle{1000};     ///< between two requests
   std::chrono::milliseconds head{5000};     ///< for a whole head, however slowly it drips
-  std::chrono::milliseconds body{20000};    ///< for a whole body
+  std::chrono::milliseconds body{10000};    ///< for a whole body
   std::chrono::milliseconds silence{5000};  ///< without a byte, in either direction
 };
 

@@ -62,6 +62,8 @@ const ProblemKind internal{"internal", 500, "Something went wrong here",
                            "A fault of the server; its log tells more under the request id."};
 const ProblemKind draining{"draining", 503, "The server is shutting down",
                            "The server takes no new jobs now. Try again after `Retry-After` seconds."};
+const ProblemKind unavailable{"unavailable", 503, "Nothing can be stored now",
+                              "The disk is full or refuses; the job was not accepted. Try again later."};
 
 }  // namespace problems
 
@@ -87,7 +89,8 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &invalid_case,
                                                      &headers_too_large,
                                                      &internal,
-                                                     &draining};
+                                                     &draining,
+                                                     &unavailable};
   return kinds;
 }
 

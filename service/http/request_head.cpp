@@ -1,6 +1,7 @@
 #include "service/http/request_head.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 
@@ -147,9 +148,13 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
 }
 
 std::string head_for_httplib(const RequestHead& head) {
+  static constexpr std::array<std::string_view, 3> hidden{"Range", "Accept-Encoding", "Content-Length"};
   std::string text = head.method + ' ' + head.target + ' ' + head.version + "\r\n";
   for (const auto& [name, value] : head.headers) {
-    if (equal_ignoring_case(name, "Range") || equal_ignoring_case(name, "Content-Length")) continue;
+    if (std::any_of(hidden.begin(), hidden.end(),
+                    [&](std::string_view other) { return equal_ignoring_case(name, other); })) {
+      continue;
+    }
     text += name + ": " + value + "\r\n";
   }
   if (takes_a_body(head.method)) text += "Content-Length: " + std::to_string(head.content_length) + "\r\n";

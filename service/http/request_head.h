@@ -34,8 +34,9 @@ struct RequestHead {
 RequestHead read_request_head(std::string_view text, const RequestLimits& limits);
 
 /// The head as cpp-httplib may see it: without `Range`, which it would apply without clamping (bytes past
-/// the end are foreign memory), and with a `Content-Length` wherever it would otherwise read to the end of
-/// the connection.
+/// the end are foreign memory), without `Accept-Encoding` (it would squeeze every answer with brotli at its
+/// slowest, which costs more than the loopback saves), and with a `Content-Length` wherever it would
+/// otherwise read to the end of the connection.
 std::string head_for_httplib(const RequestHead& head);
 
 bool equal_ignoring_case(std::string_view a, std::string_view b);

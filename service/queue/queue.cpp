@@ -22,19 +22,22 @@ constexpr std::chrono::seconds idle_interval{1};
 
 }  // namespace
 
-Queue::Queue(storage::JobStore& store, std::filesystem::path archives, int workers)
+Queue::Queue(storage::JobStore& store, std::filesystem::path archives)
     : store_(store), archives_(std::move(archives)), owner_("local-" + new_request_id()) {
   std::filesystem::create_directories(archives_);
+}
+
+Queue::~Queue() {
+  drain();
+}
+
+void Queue::start(int workers) {
   remove_unfinished_archives(archives_);
   if (const int recovered = store_.recover(owner_); recovered > 0) {
     log::info("took back the jobs of a process that died", {{"jobs", std::to_string(recovered)}});
   }
   heartbeat_ = std::thread([this] { keep_leases(); });
   for (int i = 0; i < workers; ++i) workers_.emplace_back([this] { work(); });
-}
-
-Queue::~Queue() {
-  drain();
 }
 
 void Queue::wake() {

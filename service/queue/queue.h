@@ -18,13 +18,15 @@ namespace rouleau::service {
 /// own, which never computes, renews their leases.
 class Queue {
  public:
-  /// Takes back what a dead process held and begins to work.
   /// @param archives folder for the archives; made if it is not there
-  Queue(storage::JobStore& store, std::filesystem::path archives, int workers);
+  Queue(storage::JobStore& store, std::filesystem::path archives);
   /// Drains.
   ~Queue();
   Queue(const Queue&) = delete;
   Queue& operator=(const Queue&) = delete;
+
+  /// Takes back what a dead process held and begins to work.
+  void start(int workers);
 
   /// A job was submitted.
   void wake();
