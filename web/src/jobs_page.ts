@@ -52,7 +52,7 @@ function emptyState(): HTMLElement {
       "p",
       {},
       "A job is one scene computed: a vessel, what narrows it and the red cells that pass. ",
-      "The example sends one cell past a thrombus and takes a few minutes; you can watch it as it runs.",
+      "The example sends one cell past a thrombus and takes about a minute; you can watch it as it runs.",
     ),
     exampleButton(),
     h("p", {}, "Your own scene is a JSON file. Submit it from the command line:"),

@@ -200,8 +200,10 @@ export class VesselView {
     }
     drawThrombi(context, map, scene.vessel, theme);
     const colour = (k: number) => theme.cells[k % theme.cells.length]!;
-    for (const past of scene.trail) past.forEach((cell, k) => drawPastCell(context, map, cell, colour(k)));
     const overParticles = scene.particles !== undefined;
+    for (const past of scene.trail) {
+      past.forEach((cell, k) => drawPastCell(context, map, cell, overParticles ? "white" : colour(k)));
+    }
     scene.cells.forEach((cell, k) => drawCell(context, map, cell, colour(k), overParticles));
     context.restore();
 
