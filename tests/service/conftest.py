@@ -1,0 +1,9 @@
+import pytest
+
+from rouleau_server import Server
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    with Server(tmp_path_factory.mktemp("service") / "data") as running:
+        yield running

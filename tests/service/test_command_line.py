@@ -1,0 +1,134 @@
+"""The program as people and scripts call it."""
+
+import json
+import signal
+import subprocess
+import time
+
+import h5py
+import pytest
+from rouleau_server import endless, plasma
+
+
+@pytest.fixture
+def call(server, tmp_path):
+    def run(*arguments, timeout=60):
+        return subprocess.run([server.binary, *map(str, arguments)], cwd=tmp_path, capture_output=True, text=True,
+                              timeout=timeout, env={"ROULEAU_SERVER": server.url, "PATH": "/usr/bin"})
+    return run
+
+
+@pytest.fixture
+def write_case(tmp_path):
+    def write(case, name="case.json"):
+        (tmp_path / name).write_text(json.dumps(case))
+        return name
+    return write
+
+
+def test_help(call):
+    for command in ("validate", "plan", "run", "series", "serve", "submit", "status", "wait", "fetch", "cancel"):
+        done = call(command, "--help")
+        assert done.returncode == 0 and command in done.stdout
+    assert call("--version").returncode == 0
+
+
+@pytest.mark.parametrize("arguments", [[], ["frobnicate"], ["run"], ["run", "a", "--nope"], ["serve", "--port", "70000"]])
+def test_usage(call, arguments):
+    done = call(*arguments)
+    assert done.returncode == 2 and done.stderr and not done.stdout
+
+
+def test_validate(call, write_case):
+    assert call("validate", write_case(plasma())).returncode == 0
+    done = call("validate", "--json", write_case(plasma()))
+    assert json.loads(done.stdout)["case"]["plasma"]["density"] == 1000
+
+    done = call("validate", "--json", write_case(plasma(vessel={"length": -1}, surprise=1)))
+    pointers = {error["pointer"] for error in json.loads(done.stdout)["errors"]}
+    assert done.returncode == 2
+    assert {"/vessel/length", "/vessel/diameter", "/surprise"} <= pointers
+    assert all(f"  {pointer}: " in done.stderr for pointer in pointers)
+    assert call("validate", "none.json").returncode == 2
+
+
+def test_plan(call, write_case):
+    done = call("plan", "--json", write_case(plasma()))
+    plan = json.loads(done.stdout)
+    assert done.returncode == 0 and plan["particles"] > 100
+    assert {effect["name"] for effect in plan["effects"] if effect["on"]} >= {"pressure_rotational"}
+    assert "pressure_rotational" in call("plan", write_case(plasma())).stdout
+
+
+def test_run_and_series(call, write_case, tmp_path):
+    done = call("run", write_case(plasma(duration=1)), "-o", "out.h5", "--set", "/duration=1e-4", "--set",
+                "/plasma/density=1050")
+    assert done.returncode == 0, done.stderr
+    assert "conservation" in done.stdout and "time per effect" in done.stdout
+    assert (tmp_path / "out.xdmf").exists()
+    with h5py.File(tmp_path / "out.h5") as archive:
+        assert "series" in archive
+
+    csv = call("series", "out.h5", "--csv").stdout.splitlines()
+    series = json.loads(call("series", "out.h5", "--json").stdout)
+    assert csv[0].split(",") == series["columns"] and len(csv) == len(series["rows"]) + 1
+    assert call("series", "out.h5", "--columns", "time").stdout.split()[0] == "time"
+    assert call("series", "out.h5", "--columns", "nope").returncode == 2
+    assert call("series", "none.h5").returncode == 2
+
+
+def test_an_interrupted_run_keeps_what_it_has(server, write_case, tmp_path):
+    write_case(endless())
+    run = subprocess.Popen([server.binary, "run", "case.json", "-o", "part.h5", "--json"], cwd=tmp_path,
+                           stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    deadline = time.monotonic() + 30
+    while not (tmp_path / "part.h5.part").exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    time.sleep(0.5)
+    run.send_signal(signal.SIGINT)
+    output, _ = run.communicate(timeout=30)
+    assert run.returncode == 1
+    assert json.loads(output)["summary"]["ending"] == "stopped"
+    with h5py.File(tmp_path / "part.h5") as archive:
+        assert "series" in archive
+
+
+def test_submit_wait_and_fetch(call, write_case, tmp_path):
+    done = call("submit", write_case(plasma()), "--label", "study=cli", "--priority", "3")
+    job_id, url = done.stdout.split()
+    assert url.endswith(f"/v1/jobs/{job_id}")
+    done = call("wait", job_id)
+    assert done.returncode == 0 and "succeeded" in done.stdout
+    assert job_id in call("status").stdout and "succeeded" in call("status", job_id).stdout
+    assert json.loads(call("status", job_id, "--json").stdout)["labels"] == {"study": "cli"}
+
+    done = call("fetch", job_id, "-o", "got.h5", "--json")
+    assert done.returncode == 0, done.stderr
+    assert len(json.loads(done.stdout)["sha256"]) == 64
+    assert "got.h5" in (tmp_path / "got.xdmf").read_text()
+    with h5py.File(tmp_path / "got.h5") as archive:
+        assert "series" in archive
+
+
+def test_submit_and_wait_in_one(call, write_case):
+    done = call("submit", write_case(plasma()), "--wait", "--json")
+    assert done.returncode == 0 and json.loads(done.stdout)["state"] == "succeeded"
+
+
+def test_cancel(call, write_case):
+    job_id = json.loads(call("submit", write_case(endless()), "--json").stdout)["id"]
+    assert call("fetch", job_id).returncode == 1
+    assert call("cancel", job_id).returncode == 0
+    assert call("wait", job_id).returncode == 1
+    assert call("cancel", "not-an-id!").returncode == 2
+    assert call("status", "00000000").returncode == 2
+
+
+def test_faults_found_by_the_server(call, write_case):
+    done = call("submit", write_case(plasma(duration=-1)))
+    assert done.returncode == 2 and "/case/duration: " in done.stderr
+
+
+def test_no_server(call):
+    done = call("status", "--server", "http://127.0.0.1:9")
+    assert done.returncode == 1 and "no server answers" in done.stderr

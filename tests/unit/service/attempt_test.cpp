@@ -1,0 +1,124 @@
+#include "service/queue/attempt.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "storage/sha256.h"
+
+namespace rouleau::service {
+namespace {
+
+using storage::JobState;
+
+constexpr const char* short_case =
+    R"({"version": 1, "vessel": {"length": 20e-6, "diameter": 10e-6}, "numerics": {"preset": "draft"},
+        "duration": 5e-5})";
+
+/// A real store with one job in it.
+class AttemptAtAJob : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(archives_);
+    store_.emplace(folder_ / "data");
+    id_ = submit(short_case);
+  }
+  void TearDown() override {
+    store_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  std::string submit(const std::string& text) {
+    storage::NewJob job;
+    job.case_given = job.case_resolved = text;
+    job.plan = "{}";
+    return store_->submit(job).id;
+  }
+  Attempt begin() { return {*store_, live_, archives_, store_->claim("test", lease_time).value()}; }
+  storage::Job job() { return store_->find(id_).value(); }
+  bool has_files() const { return !std::filesystem::is_empty(archives_); }
+
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      (std::string("attempt_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::filesystem::path archives_ = folder_ / "archives";
+  std::optional<storage::JobStore> store_;
+  LiveJobs live_;
+  std::string id_;
+};
+
+TEST_F(AttemptAtAJob, PublishesAnArchive) {
+  begin().run();
+  const auto ended = job();
+  EXPECT_EQ(ended.state, JobState::succeeded);
+  EXPECT_EQ(storage::sha256_hex_of_file(archive_path(archives_, id_)), ended.archive_sha256);
+  EXPECT_EQ(nlohmann::json::parse(*ended.summary)["ending"], "completed");
+  EXPECT_TRUE(live_.running().empty());
+}
+
+TEST_F(AttemptAtAJob, PublishesNothingOnceItsLeaseIsLost) {
+  Attempt attempt = begin();
+  ASSERT_TRUE(store_->release(id_, 1));
+  attempt.run();
+  EXPECT_EQ(job().state, JobState::queued);
+  EXPECT_FALSE(has_files());
+
+  begin().run();
+  EXPECT_EQ(job().state, JobState::succeeded);
+  EXPECT_EQ(job().attempt, 2);
+}
+
+TEST_F(AttemptAtAJob, IsCancelledInMidRun) {
+  Attempt attempt = begin();
+  store_->request_cancel(id_);
+  live_.find(id_)->stop(StopReason::cancelled);
+  attempt.run();
+  EXPECT_EQ(job().state, JobState::cancelled);
+  EXPECT_FALSE(has_files());
+  EXPECT_NE(live_.find(id_), nullptr) << "what it had is kept a while";
+}
+
+TEST_F(AttemptAtAJob, GivesTheJobBackWhenItDrains) {
+  Attempt attempt = begin();
+  live_.find(id_)->stop(StopReason::draining);
+  attempt.run();
+  EXPECT_EQ(job().state, JobState::queued);
+  EXPECT_FALSE(job().not_before);
+}
+
+TEST_F(AttemptAtAJob, IsRepeatedLaterIfTheMachineFailed) {
+  std::filesystem::remove(archives_);
+  begin().run();
+  EXPECT_EQ(job().state, JobState::queued);
+  ASSERT_TRUE(job().not_before);
+  EXPECT_GT(*job().not_before, storage::system_clock_ms());
+}
+
+TEST_F(AttemptAtAJob, FailsForGoodIfTheCaseCannotBePlanned) {
+  store_->request_cancel(id_);
+  id_ = submit(R"({"version": 1, "vessel": {"length": 20e-6, "diameter": 10e-6}, "duration": 1e-5,
+                   "effects": {"bending": "on"}})");
+  begin().run();
+  EXPECT_EQ(job().state, JobState::failed);
+  EXPECT_EQ(nlohmann::json::parse(*job().error)["kind"], "case");
+  EXPECT_FALSE(has_files());
+}
+
+TEST(UnfinishedArchives, AreRemovedAtTheStart) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "unfinished_archives_test";
+  std::filesystem::create_directories(folder);
+  for (const char* const name : {"a.h5", "b.h5.part", "b.xdmf.part"}) std::ofstream(folder / name) << "x";
+  remove_unfinished_archives(folder);
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.h5"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.h5.part"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "b.xdmf.part"));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace rouleau::service

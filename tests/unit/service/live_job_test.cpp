@@ -1,0 +1,73 @@
+#include "service/queue/live_job.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+#include "service/queue/live_jobs.h"
+
+namespace rouleau::service {
+namespace {
+
+RunHeader header_of_two_cells() {
+  RunHeader header;
+  header.columns = {{"time", "s"}, {"cell0.u", "m/s"}};
+  header.nodes_per_cell = {3, 2};
+  return header;
+}
+
+Frame frame_at(double time) {
+  Frame frame;
+  frame.time = time;
+  frame.x = {0, 1, 2, 10, 11, 50};
+  frame.y = {5, 6, 7, 15, 16, 50};
+  return frame;
+}
+
+TEST(LiveJob, ShowsWhatTheRunDelivered) {
+  LiveJob job("id", 1);
+  EXPECT_TRUE(job.series().columns.empty());
+  EXPECT_FALSE(job.progress());
+
+  job.begin(header_of_two_cells());
+  job.series_row(std::array{0.0, 1.0});
+  job.series_row(std::array{0.5, 2.0});
+  job.frame(frame_at(0));
+  job.frame(frame_at(0.5));
+
+  EXPECT_EQ(job.series().values, (std::vector<std::vector<double>>{{0, 0.5}, {1, 2}}));
+  EXPECT_EQ(job.frame_times(), (std::vector<double>{0, 0.5}));
+  const auto outlines = job.outlines(1);
+  ASSERT_TRUE(outlines);
+  ASSERT_EQ(outlines->size(), 2u);
+  EXPECT_EQ((*outlines)[0].x, (std::vector<float>{0, 1, 2}));
+  EXPECT_EQ((*outlines)[1].y, (std::vector<float>{15, 16}));
+  EXPECT_FALSE(job.outlines(2));
+  EXPECT_FALSE(job.outlines(-1));
+  EXPECT_EQ(job.last_frame()->time, 0.5);
+}
+
+TEST(LiveJob, StopsForTheFirstReasonGiven) {
+  LiveJob job("id", 1);
+  EXPECT_FALSE(job.stop_token().stop_requested());
+  job.stop(StopReason::cancelled);
+  job.stop(StopReason::draining);
+  EXPECT_TRUE(job.stop_token().stop_requested());
+  EXPECT_EQ(job.stop_reason(), StopReason::cancelled);
+}
+
+TEST(LiveJobs, KeepsTheLastOnesThatLeftNoArchive) {
+  LiveJobs jobs;
+  for (int i = 0; i < 20; ++i) jobs.end(jobs.start(std::to_string(i), 1), true);
+  EXPECT_TRUE(jobs.running().empty());
+  EXPECT_EQ(jobs.find("3"), nullptr);
+  ASSERT_NE(jobs.find("4"), nullptr);
+
+  const auto again = jobs.start("4", 2);
+  EXPECT_EQ(jobs.find("4"), again);
+  jobs.end(again, false);
+  EXPECT_EQ(jobs.find("4"), nullptr);
+}
+
+}  // namespace
+}  // namespace rouleau::service
