@@ -18,7 +18,8 @@ double inertia(const Moments& m) {
 
 double long_axis_angle(const Moments& m) {
   const double degrees = std::atan2(2.0 * m.xy, m.xx - m.yy) * 90.0 / std::numbers::pi;
-  return degrees > -90.0 ? degrees : degrees + 180.0;
+  // An upright cell must not flip between -90 and 90 by rounding.
+  return degrees > -90.0 + 1e-6 ? degrees : degrees + 180.0;
 }
 
 Moments node_moments(Ring ring) {

@@ -37,12 +37,12 @@ class Inflow : public Effect {
   void apply(State& state) override {
     admit(state);
     for (Lane& lane : lanes_) {
-      lane.last_x += lane.velocity * state.dt;
       while (lane.last_x > -(buffer_depth - 0.5) * state.spacing) {
         lane.last_x -= state.spacing;
         emit(state.particles, lane);
         ++state.counters.emitted;
       }
+      lane.last_x += lane.velocity * state.dt;  // where the motion of this step will take it
     }
   }
 

@@ -8,11 +8,11 @@ namespace rouleau::geometry {
 
 namespace {
 
-/// Nodes from x0 (included) to x1 (left out).
-void add_segment(double x0, double x1, double y, double normal, double spacing,
+/// Nodes between x0 and x1, both left out.
+void add_between(double x0, double x1, double y, double normal, double spacing,
                  std::vector<WallNode>& nodes) {
-  const int pieces = std::max(1, static_cast<int>(std::lround((x1 - x0) / spacing)));
-  for (int k = 0; k < pieces; ++k) nodes.push_back({x0 + (x1 - x0) * k / pieces, y, 0, normal});
+  const int pieces = static_cast<int>(std::lround((x1 - x0) / spacing));
+  for (int k = 1; k < pieces; ++k) nodes.push_back({x0 + (x1 - x0) * k / pieces, y, 0, normal});
 }
 
 /// From the arc's upstream foot to its downstream foot; both feet are corners.
@@ -65,14 +65,17 @@ double Outline::narrowest() const {
 void Outline::add_wall(double y, double normal, double spacing, double extension,
                        std::vector<WallNode>& nodes) const {
   double x = -extension;
+  nodes.push_back({x, y, 0, normal});
   for (const Bump& bump : bumps_) {
     if (bump.y != y) continue;
-    add_segment(x, bump.x - bump.radius, y, normal, spacing, nodes);
+    const double foot = bump.x - bump.radius;
+    add_between(x, foot, y, normal, spacing, nodes);
+    if (foot - x < 1e-6 * spacing) nodes.pop_back();  // two arcs share a foot
     add_arc(bump, normal, spacing, nodes);
-    // The downstream foot is the arc's; the straight wall goes on one spacing behind it.
-    x = bump.x + bump.radius + spacing;
+    x = bump.x + bump.radius;
   }
-  add_segment(x, length_ + extension, y, normal, spacing, nodes);
+  add_between(x, length_ + extension, y, normal, spacing, nodes);
+  nodes.push_back({length_ + extension, y, 0, normal});
 }
 
 std::vector<WallNode> Outline::wall_nodes(double spacing, double extension) const {

@@ -6,6 +6,15 @@
 
 namespace rouleau::particles {
 
+namespace {
+
+/// The bin of a coordinate counted in bins; a stray one, and one that is not a number, goes to the rim.
+int rim_bound(double at, int bins) {
+  return at > 0 ? static_cast<int>(std::min(at, bins - 1.0)) : 0;
+}
+
+}  // namespace
+
 NeighbourList::NeighbourList(const Extent& extent, double radius, double near_radius)
     : extent_(extent),
       radius_(radius),
@@ -15,13 +24,11 @@ NeighbourList::NeighbourList(const Extent& extent, double radius, double near_ra
       rows_(static_cast<int>((extent.y1 - extent.y0) / bin_) + 1) {}
 
 int NeighbourList::column(double x) const {
-  const double at = std::clamp((x - extent_.x0) / bin_, 0.0, columns_ - 1.0);
-  return static_cast<int>(at);
+  return rim_bound((x - extent_.x0) / bin_, columns_);
 }
 
 int NeighbourList::row(double y) const {
-  const double at = std::clamp((y - extent_.y0) / bin_, 0.0, rows_ - 1.0);
-  return static_cast<int>(at);
+  return rim_bound((y - extent_.y0) / bin_, rows_);
 }
 
 void NeighbourList::file_particles(const ParticleSet& particles) {

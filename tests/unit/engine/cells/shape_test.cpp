@@ -62,6 +62,7 @@ TEST(Shape, AngleIsThatOfTheLongAxis) {
   EXPECT_NEAR(measure(ellipse(3.0, 1.0, 135.0, 0.0, 0.0).ring()).angle, -45.0, 1e-8);
   const Nodes upright{{-1.0, 1.0, 1.0, -1.0}, {-4.0, -4.0, 4.0, 4.0}};
   EXPECT_EQ(measure(upright.ring()).angle, 90.0);
+  EXPECT_GT(measure(ellipse(3.0, 1.0, 90.0 + 1e-9, 0.0, 0.0).ring()).angle, 89.0);
 }
 
 TEST(Shape, DeformationFactorGrowsWithElongationAtConstantArea) {

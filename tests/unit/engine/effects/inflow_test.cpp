@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -34,10 +36,11 @@ class InflowOfProfile : public testing::TestWithParam<Profile> {
 TEST_P(InflowOfProfile, EmitsExactlyWhatTheLanesCarry) {
   while (!simulation_->finished()) simulation_->step();
   const State& s = simulation_->state();
-  // A lane keeps its last particle between 3.5 and 4.5 spacings upstream; its first is off by its stagger.
+  // Lanes are filled up before a step. A lane keeps its last particle between 3.5 and 4.5 spacings upstream;
+  // its first is off by its stagger.
   long expected = 0;
   for (int k = 1; k <= s.rows(); ++k) {
-    const double fed = (s.row_offset(k) + lane_velocity(k) * s.time) / s.spacing;
+    const double fed = (s.row_offset(k) + lane_velocity(k) * (s.time - s.dt)) / s.spacing;
     expected += std::max(0L, static_cast<long>(std::ceil(fed - 1e-9)));
   }
   EXPECT_EQ(s.counters.emitted, expected);
@@ -55,6 +58,20 @@ TEST_P(InflowOfProfile, BufferMovesInLanesAtTheirOwnVelocity) {
     ASSERT_NEAR(particles.y[i], s.row_y(lane), 1e-12);
     ASSERT_DOUBLE_EQ(particles.u[i], lane_velocity(lane));
     ASSERT_EQ(particles.v[i], 0);
+  }
+}
+
+TEST_P(InflowOfProfile, BufferParticlesFollowOneAnotherASpacingApart) {
+  for (int k = 0; k < 20; ++k) simulation_->step();
+  const State& s = simulation_->state();
+  std::map<long, std::vector<double>> lanes;
+  for (int i = s.particles.first(Group::inlet); i < s.particles.inlet_end(); ++i) {
+    lanes[std::lround(s.particles.y[i] / s.spacing)].push_back(s.particles.x[i]);
+  }
+  for (auto& [lane, x] : lanes) {
+    std::sort(x.begin(), x.end());
+    for (std::size_t k = 1; k < x.size(); ++k)
+      ASSERT_NEAR(x[k] - x[k - 1], s.spacing, 1e-9) << "lane " << lane;
   }
 }
 

@@ -165,11 +165,26 @@ TEST_P(WallNodes, HaveUnitNormalsIntoTheFluid) {
 
 INSTANTIATE_TEST_SUITE_P(Spacings, WallNodes, testing::Values(0.05, 0.04, 0.025, 0.013));
 
+TEST(Outline, WallNodesOfNearlyTouchingBumpsLieOnTheSurfaceOnce) {
+  const double spacing = 0.05;
+  for (const double gap : {0.0, 0.5 * spacing, spacing, 1.4 * spacing}) {
+    const Outline outline(4, 1, {{1, 0, 0.3}, {1.6 + gap, 0, 0.3}});
+    const auto nodes = outline.wall_nodes(spacing, 0);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      EXPECT_NEAR(outline.distance(nodes[i].x, nodes[i].y).value, 0, 1e-12) << "gap " << gap;
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_GT(std::hypot(nodes[i].x - nodes[k].x, nodes[i].y - nodes[k].y), 0.4 * spacing)
+            << "gap " << gap;
+      }
+    }
+  }
+}
+
 TEST(Outline, WallNodesOfAPlainVesselAreTwoStraightRows) {
   const auto nodes = Outline(2, 1, {}).wall_nodes(0.1, 0);
-  ASSERT_EQ(nodes.size(), 40u);
+  ASSERT_EQ(nodes.size(), 42u);
   EXPECT_EQ(nodes[0].y, 0);
-  EXPECT_EQ(nodes[20].y, 1);
+  EXPECT_EQ(nodes[21].y, 1);
   EXPECT_NEAR(nodes[7].x, 0.7, 1e-12);
 }
 

@@ -126,6 +126,16 @@ TEST(NeighbourList, PlacesFarOutsideHaveNoNeighboursAndCostNoSpace) {
   }
 }
 
+TEST(NeighbourList, APositionThatIsNoNumberIsNobodysNeighbour) {
+  ParticleSet particles;
+  particles.add(Group::fluid, 0.5, 0.5);
+  particles.add(Group::fluid, std::nan(""), 0.5);
+  sort_particles(particles, 0.1);
+  NeighbourList list({-0.4, -0.2, 1.7, 1.1}, 0.3, 0.2);
+  list.build(particles);
+  EXPECT_TRUE(list.j.empty());
+}
+
 TEST(NeighbourList, ParticlesInOnePlaceAreNeighbours) {
   ParticleSet set;
   for (int k = 0; k < 3; ++k) set.add(Group::fluid, 0.5, 0.5);
