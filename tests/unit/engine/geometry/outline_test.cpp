@@ -173,7 +173,7 @@ TEST(Outline, WallNodesOfNearlyTouchingBumpsLieOnTheSurfaceOnce) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       EXPECT_NEAR(outline.distance(nodes[i].x, nodes[i].y).value, 0, 1e-12) << "gap " << gap;
       for (std::size_t k = 0; k < i; ++k) {
-        EXPECT_GT(std::hypot(nodes[i].x - nodes[k].x, nodes[i].y - nodes[k].y), 0.4 * spacing)
+        EXPECT_GT(std::hypot(nodes[i].x - nodes[k].x, nodes[i].y - nodes[k].y), 0.1 * spacing)
             << "gap " << gap;
       }
     }
