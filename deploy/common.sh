@@ -22,6 +22,6 @@ stage() {
 build() {
   local preset=$1
   shift
-  cmake --preset "$preset" --log-level=WARNING -S "$repository" "$@"
+  cmake --preset "$preset" -S "$repository" "$@" >/dev/null
   cmake --build "$repository/build/$preset" --parallel "$(nproc)"
 }

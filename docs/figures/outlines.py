@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws a run's cells at equal steps of time, with vessel and thrombi, as one SVG.
+"""Draws a run's cells at COUNT (10) equally spaced times, with vessel and thrombi, as one SVG.
 
 usage: docs/figures/outlines.py ARCHIVE.h5 OUT.svg [COUNT]
 
@@ -22,7 +22,8 @@ def vessel_svg(case):
     for thrombus in case.get("thrombi", []):
         x, r = 1e6 * thrombus["x"], 1e6 * thrombus["radius"]
         y, sweep = (0, 0) if thrombus["wall"] == "lower" else (height, 1)
-        parts.append(f'<path d="M{x - r:g} {y:g} A{r:g} {r:g} 0 0 {sweep} {x + r:g} {y:g} Z" fill="#b08968"/>')
+        arc = f"M{x - r:g} {y:g} A{r:g} {r:g} 0 0 {sweep} {x + r:g} {y:g} Z"
+        parts.append(f'<path d="{arc}" fill="#b08968"/>')
     for y in (0, height):
         parts.append(f'<line x2="{length:g}" y1="{y:g}" y2="{y:g}" stroke="#5c4a3d" stroke-width="0.25"/>')
     return length, height, parts
@@ -30,13 +31,14 @@ def vessel_svg(case):
 
 def outline_svg(nodes, shade):
     points = " ".join(f"{x:.3f},{y:.3f}" for x, y in 1e6 * nodes)
-    return f'<polygon points="{points}" fill="#c1121f" fill-opacity="{shade:.2f}" stroke="#780000" stroke-width="0.15"/>'
+    style = f'fill="#c1121f" fill-opacity="{shade:.2f}" stroke="#780000" stroke-width="0.15"'
+    return f'<polygon points="{points}" {style}/>'
 
 
 def draw(archive, count):
     case = json.loads(archive["parameters/case_resolved"].asstr()[()])
     length, height, parts = vessel_svg(case)
-    labels = []
+    marks = []
     for name in sorted(archive.get("outlines", {})):
         outline = archive["outlines"][name]
         times = outline["time"][:]
@@ -44,9 +46,14 @@ def draw(archive, count):
             frame = int(np.argmin(abs(times - time)))
             nodes = outline["value"][frame]
             parts.append(outline_svg(nodes, 0.15 + 0.35 * time / times[-1]))
-            labels.append((1e6 * nodes[:, 0].mean(), 1e3 * times[frame]))
-    texts = [f'<text x="{x:.2f}" y="{height + 2:g}" text-anchor="middle">{ms:.1f}</text>' for x, ms in labels]
-    texts.append(f'<text x="{length:g}" y="{height + 2:g}" text-anchor="end">ms</text>')
+            marks.append((1e6 * (nodes[:, 0].min() + nodes[:, 0].max()) / 2, 1e3 * times[frame]))
+    notes = [f'<text x="{x:.2f}" y="{height + 2:g}" text-anchor="middle">{ms:.1f}</text>' for x, ms in marks]
+    notes.append(f'<text x="{length:g}" y="{height + 2:g}" text-anchor="end">ms</text>')
+    arrow = f"M1 {height / 2:g} h4 m-1.2 -0.7 l1.2 0.7 l-1.2 0.7"
+    notes.append(f'<path d="{arrow}" fill="none" stroke="#5c4a3d" stroke-width="0.25"/>')
+    notes.append(f'<text x="3" y="{height / 2 - 1:g}" text-anchor="middle">flow</text>')
+    notes.append('<path d="M0 -0.9 v-0.6 h10 v0.6" fill="none" stroke="#333333" stroke-width="0.15"/>')
+    notes.append('<text x="10.6" y="-0.9">10 µm</text>')
     width, tall = length + 2 * MARGIN, height + 2 * MARGIN
     # The picture's y runs downwards, the scene's upwards.
     return "\n".join(
@@ -58,7 +65,7 @@ def draw(archive, count):
             *parts,
             '</g>',
             '<g font-family="sans-serif" font-size="1.5" fill="#333333">',
-            *texts,
+            *notes,
             '</g>',
             '</svg>',
             '',
@@ -69,7 +76,7 @@ def draw(archive, count):
 def main():
     if len(sys.argv) not in (3, 4):
         sys.exit(__doc__)
-    count = int(sys.argv[3]) if len(sys.argv) == 4 else 9
+    count = int(sys.argv[3]) if len(sys.argv) == 4 else 10
     with h5py.File(sys.argv[1], "r") as archive, open(sys.argv[2], "w") as out:
         out.write(draw(archive, count))
 
