@@ -37,7 +37,7 @@ void answer_file(const std::filesystem::path& file, std::uint64_t first, std::ui
   const auto open = std::make_shared<OpenFile>(file);
   response.set_content_provider(
       length, content_type, [open, first](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
-        std::array<char, 64 * 1024> buffer;
+        std::array<char, 65536> buffer;
         const ssize_t count = open->read(buffer.data(), std::min(left, buffer.size()), first + offset);
         return count > 0 && sink.write(buffer.data(), static_cast<std::size_t>(count));
       });

@@ -102,9 +102,10 @@ GuardedServer::GuardedServer(Router router, ServerSettings settings)
            response);
     response.status = status;
   });
-  set_exception_handler([](const httplib::Request& request, httplib::Response& response, std::exception_ptr) {
-    answer(Problem(problems::internal, "see the server's log"), id_of(request), response);
-  });
+  set_exception_handler(
+      [](const httplib::Request& request, httplib::Response& response, const std::exception_ptr&) {
+        answer(Problem(problems::internal, "see the server's log"), id_of(request), response);
+      });
   set_post_routing_handler([](const httplib::Request& request, httplib::Response& response) {
     response.set_header("X-Content-Type-Options", "nosniff");
     response.set_header("X-Request-Id", id_of(request));

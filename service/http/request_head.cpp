@@ -150,12 +150,12 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
 std::string head_for_httplib(const RequestHead& head) {
   static constexpr std::array<std::string_view, 3> hidden{"Range", "Accept-Encoding", "Content-Length"};
   std::string text = head.method + ' ' + head.target + ' ' + head.version + "\r\n";
-  for (const auto& [name, value] : head.headers) {
+  for (const auto& header : head.headers) {
     if (std::any_of(hidden.begin(), hidden.end(),
-                    [&](std::string_view other) { return equal_ignoring_case(name, other); })) {
+                    [&](std::string_view name) { return equal_ignoring_case(name, header.first); })) {
       continue;
     }
-    text += name + ": " + value + "\r\n";
+    text.append(header.first).append(": ").append(header.second).append("\r\n");
   }
   if (takes_a_body(head.method)) text += "Content-Length: " + std::to_string(head.content_length) + "\r\n";
   return text + "\r\n";

@@ -10,7 +10,7 @@ namespace rouleau::service {
 
 /// Bounds on a request, checked before any of its body is read.
 struct RequestLimits {
-  std::size_t head_bytes = 16 * 1024;
+  std::size_t head_bytes = 16384;
   std::size_t headers = 64;
   std::size_t target_bytes = 4096;
   std::size_t body_bytes = 1 << 20;
