@@ -100,7 +100,7 @@ const char* engine_version() {
   return ROULEAU_VERSION;
 }
 
-RunSummary run_case(const Case& resolved, Output& output, std::stop_token stop) {
+RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop) {
   const auto start = Clock::now();
   Simulation simulation(resolved);
   const effects::State& state = simulation.state();

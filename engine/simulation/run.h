@@ -55,7 +55,7 @@ struct RunSummary {
 
 /// Runs a case from start to end, delivering to `output`.
 /// @throws CaseError if the case cannot be planned, SimulationError if the run goes unstable
-RunSummary run_case(const Case& resolved, Output& output, std::stop_token stop = {});
+RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop = {});
 
 nlohmann::json to_json(const RunSummary& summary);
 
