@@ -58,6 +58,14 @@ std::string describe_summary(const nlohmann::json& summary) {
   text += fmt::format("conservation: {:.4g} um2 in, {:.4g} um2 out, differing by {:.3f} %\n",
                       1e12 * number(summary, "volume_in"), 1e12 * number(summary, "volume_out"),
                       100 * number(summary, "volume_mismatch"));
+  if (summary.contains("poiseuille_deviation")) {
+    text += fmt::format(
+        "deviation from the parabola (eq. 22), last half: {:.4f} % in the mean, {:.4f} % at worst\n",
+        100 * number(summary, "poiseuille_deviation"), 100 * number(summary, "poiseuille_deviation_worst"));
+  }
+  if (const double through = number(summary, "wrong_side"); through > 0) {
+    text += fmt::format("{:.0f} particles slipped through a membrane and were put back\n", through);
+  }
   text += fmt::format("peak fluid speed {:.4g} mm/s\n", 1e3 * number(summary, "peak_fluid_speed"));
   if (const auto times = summary.find("effect_times"); times != summary.end())
     text += describe_effect_times(*times);
