@@ -2,11 +2,14 @@
 
 #include <concepts>
 #include <cstddef>
+#include <functional>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/case/case.h"
+#include "engine/case/case_error.h"
 
 namespace rouleau {
 
@@ -19,14 +22,18 @@ inline constexpr int max_case_depth = 16;
 /// @throws CaseError naming the place
 nlohmann::json parse_json(std::string_view text);
 
+/// What a caller wants checked beside the case itself (`check_effects` of the plan): adds its faults.
+using CaseCheck = std::function<void(const Case&, std::vector<Fault>&)>;
+
 /// Reads a case strictly: unknown keys, wrong types, values out of range and scenes that contradict
-/// themselves are faults, all of them reported at once.
+/// themselves are faults, and so is what `further` finds in the sound part of the case; all of them are
+/// reported at once.
 /// @throws CaseError with every fault
-Case read_case(std::string_view text);
+Case read_case(std::string_view text, const CaseCheck& further = {});
 
 /// The same of a document; a template only so that text is never taken for a JSON string.
 template <std::same_as<nlohmann::json> Json>
-Case read_case(const Json& document);
+Case read_case(const Json& document, const CaseCheck& further = {});
 
 /// The case with every default filled in; `read_case(to_json(c))` gives `c` again.
 nlohmann::json to_json(const Case& resolved);

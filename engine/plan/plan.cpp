@@ -1,5 +1,6 @@
 #include "engine/plan/plan.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,35 +20,29 @@ using effects::EffectKind;
 // explicit transport of pressure would allow 0.5.
 constexpr double courant = 0.2;
 
-PlannedEffect plan_effect(const EffectKind& kind, const Case& scene, std::vector<Fault>& faults) {
+std::string known_effects() {
+  std::string names;
+  for (const EffectKind* kind : effects::catalogue()) {
+    names += (names.empty() ? "" : ", ") + std::string(kind->name);
+  }
+  return names;
+}
+
+Switch wish_for(const Case& scene, const EffectKind& kind) {
+  const auto wish = scene.effects.find(std::string(kind.name));
+  return wish == scene.effects.end() ? Switch::automatic : wish->second;
+}
+
+PlannedEffect plan_effect(const EffectKind& kind, const Case& scene) {
   const effects::Need need = kind.need(scene);
   PlannedEffect planned{std::string(kind.name), std::string(name_of(kind.stage)), need.called_for,
                         need.reason, need.pointer};
-  const auto wish = scene.effects.find(planned.name);
-  if (wish == scene.effects.end() || wish->second == Switch::automatic) return planned;
-  const std::string pointer = "/effects/" + planned.name;
-  if (wish->second == Switch::on && !need.called_for) {
-    faults.push_back({pointer, "\"on\", but " + need.reason + "; use \"auto\" or \"off\""});
-  } else if (wish->second == Switch::off && need.called_for && !kind.optional) {
-    faults.push_back({pointer, "\"off\", but " + need.reason + ": this effect cannot be left out"});
-  } else if (wish->second == Switch::off && need.called_for) {
+  if (need.called_for && wish_for(scene, kind) == Switch::off) {
     planned.on = false;
     planned.reason = "switched off by the case";
-    planned.pointer = pointer;
+    planned.pointer = "/effects/" + planned.name;
   }
   return planned;
-}
-
-void find_unknown_effects(const Case& scene, std::vector<Fault>& faults) {
-  for (const auto& [name, wish] : scene.effects) {
-    std::string known;
-    bool found = false;
-    for (const EffectKind* kind : effects::catalogue()) {
-      found = found || kind->name == name;
-      known += (known.empty() ? "" : ", ") + std::string(kind->name);
-    }
-    if (!found) faults.push_back({"/effects/" + name, "no effect has this name; there are: " + known});
-  }
 }
 
 int count_membrane_nodes(const Case& scene, double spacing) {
@@ -60,14 +55,31 @@ int count_membrane_nodes(const Case& scene, double spacing) {
 
 }  // namespace
 
-Plan make_plan(const Case& scene) {
-  Plan plan;
-  std::vector<Fault> faults;
-  find_unknown_effects(scene, faults);
-  for (const EffectKind* kind : effects::catalogue()) {
-    plan.effects.push_back(plan_effect(*kind, scene, faults));
+void check_effects(const Case& scene, std::vector<Fault>& faults) {
+  const auto& kinds = effects::catalogue();
+  for (const auto& [name, wish] : scene.effects) {
+    const std::string pointer = "/effects/" + name;
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind* k) { return k->name == name; });
+    if (kind == kinds.end()) {
+      faults.push_back({pointer, "no effect has this name; there are: " + known_effects()});
+      continue;
+    }
+    const effects::Need need = (*kind)->need(scene);
+    if (wish == Switch::on && !need.called_for) {
+      faults.push_back({pointer, "\"on\", but " + need.reason + "; use \"auto\" or \"off\""});
+    } else if (wish == Switch::off && need.called_for && !(*kind)->optional) {
+      faults.push_back({pointer, "\"off\", but " + need.reason + ": this effect cannot be left out"});
+    }
   }
+}
+
+Plan make_plan(const Case& scene) {
+  std::vector<Fault> faults;
+  check_effects(scene, faults);
   if (!faults.empty()) throw CaseError(std::move(faults));
+  Plan plan;
+  for (const EffectKind* kind : effects::catalogue()) plan.effects.push_back(plan_effect(*kind, scene));
 
   const double diameter = scene.vessel.diameter;
   plan.spacing = diameter / std::round(diameter / scene.numerics.spacing);

@@ -6,6 +6,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "engine/case/case.h"
+#include "engine/case/case_error.h"
 
 namespace rouleau {
 
@@ -29,6 +30,10 @@ struct Plan {
   std::string limited_by;  ///< what holds the time step there
   long steps = 0;
 };
+
+/// Faults of the case's `effects`: names that no effect has, "on" for what the scene cannot carry, "off" for
+/// what it cannot do without. To be given to `read_case`, which then reports them with all others.
+void check_effects(const Case& resolved, std::vector<Fault>& faults);
 
 /// @throws CaseError where `effects` asks for what the scene cannot carry, or leaves out what it needs
 Plan make_plan(const Case& resolved);

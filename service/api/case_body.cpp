@@ -18,7 +18,7 @@ nlohmann::json read_body(const std::string& body) {
 PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer) {
   try {
     PlannedCase planned;
-    planned.resolved = read_case(document);
+    planned.resolved = read_case(document, check_effects);
     planned.plan = make_plan(planned.resolved);
     return planned;
   } catch (const CaseError& error) {

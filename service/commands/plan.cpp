@@ -37,7 +37,7 @@ void add_plan(CLI::App& app, Action& action) {
   command->add_flag("--json", action.json, "Print the plan as JSON");
   command->callback([&action, file] {
     action.run = [&action, file] {
-      const Plan plan = make_plan(read_case(read_case_file(*file)));
+      const Plan plan = make_plan(read_case(read_case_file(*file), check_effects));
       if (action.json) {
         std::cout << dump(to_json(plan)) << '\n';
       } else {

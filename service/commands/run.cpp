@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/case/case_json.h"
+#include "engine/plan/plan.h"
 #include "service/commands/case_file.h"
 #include "service/commands/command.h"
 #include "service/commands/progress_line.h"
@@ -41,7 +42,7 @@ int run(const Options& options, bool json) {
   const std::string given = read_case_file(options.file);
   auto document = parse_json(given);
   apply_settings(document, options.settings);
-  const Case resolved = read_case(document);
+  const Case resolved = read_case(document, check_effects);
   const std::filesystem::path archive =
       options.archive.empty() ? std::filesystem::path(options.file).filename().replace_extension(".h5")
                               : std::filesystem::path(options.archive);

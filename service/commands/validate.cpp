@@ -19,8 +19,7 @@ void add_validate(CLI::App& app, Action& action) {
   command->add_flag("--json", action.json, "Print the resolved case, or the faults, as JSON");
   command->callback([&action, file] {
     action.run = [&action, file] {
-      const Case resolved = read_case(read_case_file(*file));
-      make_plan(resolved);
+      const Case resolved = read_case(read_case_file(*file), check_effects);
       if (action.json) {
         std::cout << dump({{"valid", true}, {"case", to_json(resolved)}}) << '\n';
       } else {

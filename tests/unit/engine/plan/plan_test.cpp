@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <gmock/gmock.h>
 #include <set>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/case/case_error.h"
+#include "engine/case/case_json.h"
 #include "engine/effects/effect.h"
 #include "engine/simulation/simulation.h"
 #include "tests/unit/engine/simulation/scenes.h"
@@ -149,6 +151,20 @@ TEST(Plan, AsJsonHasThePromisedKeys) {
   }
   for (const char* key : {"name", "stage", "on", "reason", "pointer"}) {
     EXPECT_TRUE(json["effects"][0].contains(key)) << key;
+  }
+}
+
+TEST(Plan, FaultsOfEffectsAreReportedWithAllOthers) {
+  const auto document = nlohmann::json::parse(R"({"version": 1, "vessel": {"length": 8e-5, "diameter": -1},
+                                                  "effects": {"nope": "on", "watch": "off"}})");
+  try {
+    read_case(document, check_effects);
+    FAIL() << "read without a fault";
+  } catch (const CaseError& error) {
+    std::vector<std::string> pointers;
+    for (const Fault& fault : error.faults()) pointers.push_back(fault.pointer);
+    EXPECT_THAT(pointers, testing::UnorderedElementsAre("/vessel/diameter", "/duration", "/effects/nope",
+                                                        "/effects/watch"));
   }
 }
 
