@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "engine/case/case_error.h"
-#include "engine/simulation/simulation_error.h"
+#include "engine/error/simulation_error.h"
 #include "storage/archive_error.h"
 #include "storage/store_error.h"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/case/case_error.h"
-#include "engine/simulation/simulation_error.h"
+#include "engine/error/simulation_error.h"
 #include "storage/archive_error.h"
 #include "storage/store_error.h"
 

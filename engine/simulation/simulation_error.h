@@ -1,3 +1,0 @@
-#pragma once
-
-#include "engine/error/simulation_error.h"
