@@ -18,10 +18,11 @@ stage() {
   [[ -z $stage_name ]] || say "== $stage_name"
 }
 
-# build PRESET OPTION...: configures and builds.
+# build PRESET TARGETS OPTION...: configures with these options, and builds.
 build() {
-  local preset=$1
-  shift
+  local preset=$1 targets=$2
+  shift 2
   cmake --preset "$preset" -S "$repository" "$@" >/dev/null
-  cmake --build "$repository/build/$preset" --parallel "$(nproc)"
+  # shellcheck disable=SC2086
+  cmake --build "$repository/build/$preset" --parallel "$(nproc)" --target $targets
 }
