@@ -137,16 +137,24 @@ void write_weights(const Coefficients& c, double scale, const float* X, const fl
   }
 }
 
+/// Four sums at once, since each is a chain of dependent additions.
 Gradient weighted_sum(const int* j, const float* wx, const float* wy, int n, const double* field,
                       double here) {
-  double sx = 0, sy = 0;
-#pragma omp simd reduction(+ : sx, sy)
-  for (int k = 0; k < n; ++k) {
-    const double difference = field[j[k]] - here;
-    sx += wx[k] * difference;
-    sy += wy[k] * difference;
+  std::array<double, 4> sx{}, sy{};
+  int k = 0;
+  for (; k + 4 <= n; k += 4) {
+    for (int lane = 0; lane < 4; ++lane) {
+      const double difference = field[j[k + lane]] - here;
+      sx[lane] += wx[k + lane] * difference;
+      sy[lane] += wy[k + lane] * difference;
+    }
   }
-  return {sx, sy};
+  for (; k < n; ++k) {
+    const double difference = field[j[k]] - here;
+    sx[0] += wx[k] * difference;
+    sy[0] += wy[k] * difference;
+  }
+  return {(sx[0] + sx[1]) + (sx[2] + sx[3]), (sy[0] + sy[1]) + (sy[2] + sy[3])};
 }
 
 }  // namespace
