@@ -126,7 +126,7 @@ class PressureRotational : public Effect {
   static void throw_unsolved(const State& state, const linear::Solve& solve) {
     throw SimulationError({.quantity = "residual of the pressure equation",
                            .value = solve.residual,
-                           .bound = state.scene.numerics.pressure_tolerance,
+                           .bound = solve.goal,
                            .unit = "1",
                            .time = state.time * state.scales.time(),
                            .step = state.step});

@@ -132,7 +132,7 @@ class ViscosityImplicit : public Effect {
   static void throw_unsolved(const State& state, const linear::Solve& solve) {
     throw SimulationError({.quantity = "residual of the viscous step",
                            .value = solve.residual,
-                           .bound = tolerance,
+                           .bound = solve.goal,
                            .unit = "1",
                            .time = state.time * state.scales.time(),
                            .step = state.step});

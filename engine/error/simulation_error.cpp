@@ -8,10 +8,11 @@ namespace rouleau {
 namespace {
 
 std::string describe(const Breach& breach) {
+  const std::string unit = breach.unit == "1" ? "" : " " + breach.unit;
   std::ostringstream text;
-  text << std::setprecision(4) << "the run went unstable: " << breach.quantity << " " << breach.value << " "
-       << breach.unit << " is beyond its bound of " << breach.bound << " " << breach.unit
-       << " at t = " << breach.time * 1e3 << " ms (step " << breach.step << ")";
+  text << std::setprecision(4) << "the run went unstable: " << breach.quantity << " " << breach.value << unit
+       << " is beyond its bound of " << breach.bound << unit << " at t = " << breach.time * 1e3
+       << " ms (step " << breach.step << ")";
   if (breach.particle >= 0) {
     text << ", at x = " << breach.x * 1e6 << " um, y = " << breach.y * 1e6 << " um, particle "
          << breach.particle;

@@ -10,6 +10,7 @@ namespace rouleau::linear {
 struct Solve {
   int iterations = 0;
   double residual = 0;  ///< 2-norm at the end
+  double goal = 0;      ///< 2-norm asked for
   bool converged = false;
 };
 
@@ -77,6 +78,7 @@ Solve BiCgStab::solve(const Apply& apply, std::span<const double> b, std::span<d
     if (!std::isfinite(norm2)) break;
   }
   result.residual = std::sqrt(norm2);
+  result.goal = tolerance;
   result.converged = result.residual <= tolerance;
   return result;
 }

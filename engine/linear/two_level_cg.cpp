@@ -93,6 +93,7 @@ Solve TwoLevelCg::solve(const SparseRows& matrix, std::span<const double> b, std
     for (int i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
   }
   result.residual = std::sqrt(norm2);
+  result.goal = goal;
   result.converged = result.residual <= goal;
   return result;
 }
