@@ -174,10 +174,10 @@ void LeastSquares::fit_row(const particles::NeighbourList& list, int i, int pres
   // Offsets in units of half the radius keep the moments near one.
   const auto inverse_radius = static_cast<float>(1 / list.radius());
   const float scale = 2 * inverse_radius;
-  const float* rdx = &list.dx[begin];
-  const float* rdy = &list.dy[begin];
-  const float* rr = &list.r[begin];
-  const int* j = &list.j[begin];
+  const float* rdx = list.dx.data() + begin;
+  const float* rdy = list.dy.data() + begin;
+  const float* rr = list.r.data() + begin;
+  const int* j = list.j.data() + begin;
   float* X = X_.data();
   float* Y = Y_.data();
   float* w = w_.data();
@@ -193,9 +193,9 @@ void LeastSquares::fit_row(const particles::NeighbourList& list, int i, int pres
 
   const Fit velocity = fit_velocity(sum_moments(X, Y, w, n));
   poor_rows_ += velocity.poor;
-  write_weights(velocity.dx, scale, X, Y, w, n, &dx_[begin]);
-  write_weights(velocity.dy, scale, X, Y, w, n, &dy_[begin]);
-  write_weights(velocity.laplacian, scale * scale, X, Y, w, n, &laplacian_[begin]);
+  write_weights(velocity.dx, scale, X, Y, w, n, dx_.data() + begin);
+  write_weights(velocity.dy, scale, X, Y, w, n, dy_.data() + begin);
+  write_weights(velocity.laplacian, scale * scale, X, Y, w, n, laplacian_.data() + begin);
 
   if (without_pressure == 0) {
     for (int k = begin; k < begin + n; ++k) {
@@ -209,19 +209,20 @@ void LeastSquares::fit_row(const particles::NeighbourList& list, int i, int pres
   }
   const Fit pressure = fit_pressure(sum_moments(X, Y, w, n));
   poor_rows_ += pressure.poor;
-  write_weights(pressure.dx, scale, X, Y, w, n, &pressure_dx_[begin]);
-  write_weights(pressure.dy, scale, X, Y, w, n, &pressure_dy_[begin]);
+  write_weights(pressure.dx, scale, X, Y, w, n, pressure_dx_.data() + begin);
+  write_weights(pressure.dy, scale, X, Y, w, n, pressure_dy_.data() + begin);
 }
 
 Gradient LeastSquares::velocity_gradient(int i, const double* field) const {
   const int begin = list_->begin(i);
-  return weighted_sum(&list_->j[begin], &dx_[begin], &dy_[begin], list_->end(i) - begin, field, field[i]);
+  return weighted_sum(list_->j.data() + begin, dx_.data() + begin, dy_.data() + begin, list_->end(i) - begin,
+                      field, field[i]);
 }
 
 Gradient LeastSquares::pressure_gradient(int i, const double* field) const {
   const int begin = list_->begin(i);
-  return weighted_sum(&list_->j[begin], &pressure_dx_[begin], &pressure_dy_[begin], list_->end(i) - begin,
-                      field, field[i]);
+  return weighted_sum(list_->j.data() + begin, pressure_dx_.data() + begin, pressure_dy_.data() + begin,
+                      list_->end(i) - begin, field, field[i]);
 }
 
 }  // namespace rouleau::operators

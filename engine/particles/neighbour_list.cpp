@@ -59,9 +59,9 @@ void NeighbourList::append_pairs(const ParticleSet& particles, int i, const int*
   const double* x = particles.x.data();
   const double* y = particles.y.data();
   const double xi = x[i], yi = y[i];
-  float* out_x = &dx[at];
-  float* out_y = &dy[at];
-  float* out_r = &r[at];
+  float* out_x = dx.data() + at;
+  float* out_y = dy.data() + at;
+  float* out_r = r.data() + at;
 #pragma omp simd
   for (int k = 0; k < count; ++k) {
     const auto ex = static_cast<float>(x[others[k]] - xi);

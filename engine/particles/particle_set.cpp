@@ -15,6 +15,14 @@ void permute(std::vector<T>& values, const std::vector<int>& order) {
   values.swap(sorted);
 }
 
+/// Number of a bin, from 0 to 2^24 - 1 with the origin in the middle; whatever is beyond, and what is not a
+/// number, goes to the rim.
+std::int64_t bin_number(double at) {
+  constexpr double middle = 1 << 23;
+  const double shifted = std::floor(at) + middle;
+  return shifted > 0 ? static_cast<std::int64_t>(std::min(shifted, 2 * middle - 1)) : 0;
+}
+
 }  // namespace
 
 int ParticleSet::add(Group g, double px, double py, int of_cell) {
@@ -35,10 +43,7 @@ void sort_particles(ParticleSet& particles, double bin) {
     const Group g = particles.group[i];
     std::int64_t k = static_cast<std::int64_t>(g) << 56;
     if (g == Group::fluid) {
-      const auto column = static_cast<std::int64_t>(std::floor(particles.x[i] / bin)) + (1 << 23);
-      const auto row = static_cast<std::int64_t>(std::floor(particles.y[i] / bin)) + (1 << 23);
-      k += (std::clamp<std::int64_t>(column, 0, (1 << 24) - 1) << 24) +
-           std::clamp<std::int64_t>(row, 0, (1 << 24) - 1);
+      k += (bin_number(particles.x[i] / bin) << 24) + bin_number(particles.y[i] / bin);
     }
     key[i] = k;
     if (g != Group::dead) ++particles.first_[static_cast<std::size_t>(g) + 1];

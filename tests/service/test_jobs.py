@@ -91,7 +91,8 @@ def test_frames(server, finished):
 
 
 def test_a_running_job_shows_what_it_has(server):
-    scene = endless(duration=0.05, cells=[{"x": 8e-6, "y": 5e-6, "diameter": 4e-6}],
+    # So long a vessel that the cell does not reach its end meanwhile.
+    scene = endless(duration=0.05, vessel={"length": 2e-4, "diameter": 10e-6}, cells=[{"x": 8e-6, "y": 5e-6, "diameter": 4e-6}],
                     output={"series_interval": 1e-6, "frame_interval": 1e-6})
     job_id = server.submit(scene)
     job = server.wait_until_running(job_id)

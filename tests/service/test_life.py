@@ -29,7 +29,7 @@ def test_draining_gives_running_jobs_back(tmp_path):
 
 def test_a_job_survives_kill_nine(tmp_path):
     with Server(tmp_path / "data", workers=1) as server:
-        job_id = server.submit(plasma(duration=5e-4, output={"frame_interval": 2.5e-5}))
+        job_id = server.submit(plasma(duration=1e-2, output={"frame_interval": 2.5e-5}))
         server.wait_until_running(job_id)
         server.kill_nine()
         assert list(server.data.glob("archives/*.part"))
