@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include "engine/case/case_error.h"
 #include "engine/cells/rest_shape.h"
 #include "engine/cells/shape.h"
 
@@ -20,6 +22,16 @@ constexpr double membrane_gap = 0.5;
 constexpr int ghost_layers = 3;
 constexpr double wall_extension = 8;
 
+cells::RestShape find_rest_shape(const CellState& cell, double area, int index) {
+  try {
+    return cells::rest_shape(cell.material, cell.nodes, area);
+  } catch (const cells::RestShapeError& error) {
+    throw CaseError(
+        {{"/cells/" + std::to_string(index),
+          "no rest shape was found for its moduli and fill at this spacing: " + std::string(error.what())}});
+  }
+}
+
 CellState place_cell(State& state, const RedCell& cell, int index) {
   const Scales& scales = state.scales;
   const double diameter = cell.diameter / scales.length;
@@ -29,7 +41,7 @@ CellState place_cell(State& state, const RedCell& cell, int index) {
   placed.material = {cell.stretch_modulus / scales.tension(), cell.bend_modulus / scales.bending(),
                      std::numbers::pi * diameter / placed.nodes};
   const double area = cell.fill * std::numbers::pi * diameter * diameter / 4;
-  const cells::RestShape shape = cells::rest_shape(placed.material, placed.nodes, area);
+  const cells::RestShape shape = find_rest_shape(placed, area, index);
   const double angle = cell.angle * std::numbers::pi / 180;
   for (int q = 0; q < placed.nodes; ++q) {
     const double x = shape.x[q] * std::cos(angle) - shape.y[q] * std::sin(angle);

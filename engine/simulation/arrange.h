@@ -7,6 +7,7 @@ namespace rouleau {
 /// The initial arrangement, in this order: membrane nodes first, so that they keep their indices.
 
 /// Puts each cell's rest shape where the case wants it and records what tau and the area refer to.
+/// @throws CaseError where a cell has no rest shape
 void place_cells(effects::State& state);
 
 /// Fills the vessel with fluid on rows along x, staggered as the inlet's lanes are, at rest inside cells

@@ -54,7 +54,8 @@ struct RunSummary {
 };
 
 /// Runs a case from start to end, delivering to `output`.
-/// @throws CaseError if the case cannot be planned, SimulationError if the run goes unstable
+/// @throws CaseError if the case cannot be planned or a cell has no rest shape, SimulationError if the run
+/// goes unstable
 RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop = {});
 
 nlohmann::json to_json(const RunSummary& summary);

@@ -13,7 +13,7 @@ namespace rouleau {
 class Simulation {
  public:
   /// Places the particles of the plan at time 0.
-  /// @throws CaseError as make_plan
+  /// @throws CaseError as make_plan, and where a cell has no rest shape
   explicit Simulation(const Case& resolved);
 
   const Plan& plan() const { return plan_; }
