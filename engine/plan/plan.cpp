@@ -57,7 +57,9 @@ int count_membrane_nodes(const Case& scene, double spacing) {
 
 void check_effects(const Case& scene, std::vector<Fault>& faults) {
   const auto& kinds = effects::catalogue();
-  for (const auto& [name, wish] : scene.effects) {
+  for (const auto& entry : scene.effects) {
+    const std::string& name = entry.first;
+    const Switch wish = entry.second;
     const std::string pointer = "/effects/" + name;
     const auto kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind* k) { return k->name == name; });
