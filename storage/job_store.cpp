@@ -222,7 +222,7 @@ std::optional<Job> JobStore::request_cancel(std::string_view id) {
     update.bind(":id", std::string(id));
     update.bind(":now", parts_->clock());
     update.exec();
-    const auto job = select_job(db, id);
+    auto job = select_job(db, id);
     if (job && (job->state == JobState::succeeded || job->state == JobState::failed)) {
       throw InvalidTransition(job->state);
     }
