@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -11,11 +12,45 @@ namespace rouleau {
 /// y across it from the lower wall. Every member holds its default, so `Case{}` with a vessel and a
 /// duration is complete. Read from JSON by `read_case` (case_json.h), which also checks it.
 
-/// A straight vessel, open at both ends.
+enum class Shape {
+  straight,     ///< two parallel walls
+  bifurcation,  ///< a trunk and two branches
+  box,          ///< closed by four walls, or periodic both ways
+};
+
+enum class Ends {
+  open,      ///< plasma enters and leaves
+  periodic,  ///< what leaves at one end enters at the other
+  closed,    ///< of a box: four walls
+};
+
+/// Of each wall along itself: along x of the lower and upper one, along y of a box's left and right one. m/s
+struct WallVelocity {
+  double lower = 0, upper = 0;
+  double left = 0, right = 0;
+};
+
+struct Branch {
+  double length = 0;    ///< of its outer wall, m
+  double diameter = 0;  ///< m
+};
+
+/// What the blood flows through. Of a bifurcation `length` and `diameter` are the trunk's, of a box they are
+/// its width and height.
 struct Vessel {
   double length = 0;    ///< m
   double diameter = 0;  ///< m
+  Shape shape = Shape::straight;
+  Ends ends = Ends::open;  ///< a bifurcation's are open
+  WallVelocity wall_velocity{};
+  std::array<Branch, 2> branches{};  ///< the lower one, the upper one
+  double half_angle = 30;            ///< between a branch and the trunk's axis, degrees
 };
+
+/// Whether plasma enters and leaves.
+inline bool is_open(const Vessel& vessel) {
+  return vessel.ends == Ends::open;
+}
 
 struct Plasma {
   double density = 1000;              ///< kg/m3
@@ -24,13 +59,34 @@ struct Plasma {
 
 enum class Profile { plug, parabolic };
 
+/// A point of the waveform: `factor` times the inflow's velocity at `time`.
+struct WaveformPoint {
+  double time = 0;  ///< s
+  double factor = 1;
+};
+
 struct Inflow {
-  double velocity = 0.005;          ///< mean over the inlet, m/s
-  Profile profile = Profile::plug;  ///< the study feeds a plug
+  double velocity = 0.005;              ///< mean over the inlet, m/s
+  Profile profile = Profile::plug;      ///< the study feeds a plug
+  std::vector<WaveformPoint> waveform;  ///< by time; linear between points, held before the first and after
+                                        ///< the last; none: steady
 };
 
 struct Outflow {
-  double pressure = 0;  ///< Pa, at the outlet plane
+  std::array<double, 2> pressure{};  ///< Pa, at the outlet plane; of a bifurcation lower and upper
+};
+
+enum class InitialFlow {
+  automatic,  ///< developed where the vessel is open, else at rest
+  rest,
+  developed,     ///< the parabola of the free vessel
+  taylor_green,  ///< of a periodic box: one pair of vortices each way
+};
+
+/// The plasma at the start; cells are at rest.
+struct Initial {
+  InitialFlow flow = InitialFlow::automatic;
+  double velocity = 0;  ///< of the vortices, m/s
 };
 
 enum class Wall { lower, upper };
@@ -56,22 +112,41 @@ struct RedCell {
 
 enum class Switch { automatic, on, off };
 
-enum class Preset { draft, standard, fine };
+enum class Preset {
+  draft,
+  standard,
+  fine,
+  paper,  ///< the published scheme
+};
+
+enum class Viscosity { implicit, substeps };
 
 /// How the scene is computed. After `read_case` every knob is filled in, from the preset where the case
 /// does not name it.
 struct Numerics {
   Preset preset = Preset::standard;
-  double spacing = 4e-7;             ///< d0, m
-  std::optional<double> time_step;   ///< s; none: the plan chooses
-  double kernel_radius = 3.1;        ///< in d0
+  double spacing = 4e-7;            ///< d0, m
+  std::optional<double> time_step;  ///< s; none: the plan chooses
+  double kernel_radius = 3.1;       ///< in d0
+  Viscosity viscosity = Viscosity::implicit;
+  int substeps = 12;                 ///< of a viscous step, where it is explicit (eqs. 16 to 18)
   double pressure_tolerance = 1e-2;  ///< relative residual at which the pressure solver stops
   int threads = 1;
 };
 
+enum class Field { velocity, pressure, wall_shear_stress };
+
 struct OutputSettings {
-  double series_interval = 2e-5;  ///< s; 0: no series
-  double frame_interval = 1e-4;   ///< s; 0: no frames
+  double series_interval = 2e-5;                                ///< s; 0: no series
+  double frame_interval = 1e-4;                                 ///< s; 0: no frames
+  std::vector<Field> fields{Field::velocity, Field::pressure};  ///< what frames carry beside positions
+};
+
+/// Velocity and pressure on a line, and the flow through it, at every time of the series.
+struct Probe {
+  std::string name;
+  std::array<double, 2> from{}, to{};  ///< m; the same for a single point
+  int points = 1;                      ///< evenly spaced from `from` to `to`, both included
 };
 
 struct Case {
@@ -80,12 +155,15 @@ struct Case {
   Plasma plasma;
   Inflow inflow;
   Outflow outflow;
+  std::array<double, 2> body_acceleration{};  ///< m/s2
+  Initial initial{};
   std::vector<Thrombus> thrombi;
   std::vector<RedCell> cells;
   std::map<std::string, Switch> effects;  ///< by effect name; absent: automatic
   Numerics numerics;
   double duration = 0;  ///< s of simulated time
   OutputSettings output;
+  std::vector<Probe> probes;
 };
 
 }  // namespace rouleau

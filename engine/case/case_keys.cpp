@@ -102,7 +102,7 @@ Key outflow() {
                .description = "At the outlet plane.",
                .unit = "Pa",
                .range = within(-1e6, 1e6),
-               .fallback = Outflow{}.pressure},
+               .fallback = Outflow{}.pressure[0]},
           }};
 }
 

@@ -44,11 +44,11 @@ void to_json(json& object, const Inflow& inflow) {
 }
 
 void from_json(const json& object, Outflow& outflow) {
-  take(object, "pressure", outflow.pressure);
+  take(object, "pressure", outflow.pressure[0]);
 }
 
 void to_json(json& object, const Outflow& outflow) {
-  object = {{"pressure", outflow.pressure}};
+  object = {{"pressure", outflow.pressure[0]}};
 }
 
 void from_json(const json& object, Thrombus& thrombus) {

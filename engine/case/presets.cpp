@@ -15,6 +15,13 @@ Numerics preset_numerics(Preset preset) {
     case Preset::fine:
       numerics.spacing = 2.5e-7;
       break;
+    case Preset::paper:
+      numerics.spacing = 4e-7;
+      numerics.time_step = 5e-7;
+      numerics.kernel_radius = 2.1;
+      numerics.viscosity = Viscosity::substeps;
+      numerics.pressure_tolerance = 1e-6;
+      break;
   }
   return numerics;
 }

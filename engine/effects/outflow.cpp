@@ -11,7 +11,7 @@ constexpr int buffer_depth = 4;  // spacings
 
 class Outflow : public Effect {
  public:
-  explicit Outflow(State& state) : pressure_(state.scene.outflow.pressure / state.scales.pressure()) {
+  explicit Outflow(State& state) : pressure_(state.scene.outflow.pressure[0] / state.scales.pressure()) {
     for (int k = 1; k <= state.rows(); ++k) {
       const double y = state.row_y(k);
       for (int column = 0; column < buffer_depth; ++column) {

@@ -16,7 +16,7 @@ constexpr double end_distance = 6;
 double pressure_drop(const effects::State& state, double first_plane_pressure) {
   const double height = state.outline.height();
   const double developed_slope = 12 * state.viscosity / (height * height);
-  const double outlet = state.scene.outflow.pressure / state.scales.pressure();
+  const double outlet = state.scene.outflow.pressure[0] / state.scales.pressure();
   return first_plane_pressure + developed_slope * inflow_plane(state) - outlet;
 }
 

@@ -30,7 +30,7 @@ TEST(CaseReader, FillsInEveryDefault) {
   EXPECT_EQ(read.plasma.kinematic_viscosity, 1e-6);
   EXPECT_EQ(read.inflow.velocity, 0.005);
   EXPECT_EQ(read.inflow.profile, Profile::plug);
-  EXPECT_EQ(read.outflow.pressure, 0);
+  EXPECT_EQ(read.outflow.pressure[0], 0);
   EXPECT_TRUE(read.thrombi.empty());
   EXPECT_TRUE(read.cells.empty());
   EXPECT_TRUE(read.effects.empty());
@@ -58,7 +58,7 @@ TEST(CaseReader, ReadsEveryKey) {
   EXPECT_EQ(read.name, "µ");
   EXPECT_EQ(read.plasma.density, 1025);
   EXPECT_EQ(read.inflow.profile, Profile::parabolic);
-  EXPECT_EQ(read.outflow.pressure, -3);
+  EXPECT_EQ(read.outflow.pressure[0], -3);
   EXPECT_EQ(read.thrombi.at(0).wall, Wall::upper);
   EXPECT_EQ(read.thrombi.at(0).radius, 4e-6);
   EXPECT_EQ(read.cells.at(0).fill, 0.6);

@@ -16,7 +16,7 @@ Case scaled(Case scene, double k) {
   scene.vessel.length *= k;
   scene.vessel.diameter *= k;
   scene.inflow.velocity *= velocity;
-  scene.outflow.pressure *= velocity * velocity;
+  scene.outflow.pressure[0] *= velocity * velocity;
   for (Thrombus& t : scene.thrombi) {
     t.x *= k;
     t.radius *= k;
@@ -50,7 +50,7 @@ TEST(ScaleInvariance, AFlowAThousandTimesSmallerGivesTheSameNumbers) {
   scene.vessel.length = 24e-6;
   scene.cells[0].angle = 60;  // clear of 90, where the axis flips sign
   scene.thrombi.push_back({Wall::lower, 16e-6, 3e-6});
-  scene.outflow.pressure = 2;
+  scene.outflow.pressure[0] = 2;
   const Case smaller = scaled(scene, 1e-3);
   Recorder one, other;
   run_case(scene, one);
