@@ -51,7 +51,7 @@ double State::row_offset(int k) const {
 }
 
 operators::SamplingPlane State::plane_at(double x) const {
-  return {x, outline.height(), radius, 2 * (rows() + 1)};
+  return {{x, 0}, {x, outline.height()}, {radius}, 2 * (rows() + 1)};
 }
 
 double State::developed_velocity(double y) const {

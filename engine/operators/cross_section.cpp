@@ -1,66 +1,52 @@
 #include "engine/operators/cross_section.h"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
-
-#include <Eigen/Dense>
 
 namespace rouleau::operators {
 
 namespace {
 
-using particles::ParticleSet;
-using Matrix = Eigen::Matrix<double, 6, 6>;
-using Vector = Eigen::Matrix<double, 6, 1>;
-
-/// Value at (x, y) of a quadratic fitted to a field on the given particles; a plain weighted mean where they
-/// do not carry a quadratic.
-double fit(const ParticleSet& particles, const std::vector<int>& candidates, const std::vector<double>& field,
-           double x, double y, double radius) {
-  Matrix normal = Matrix::Zero();
-  Vector right = Vector::Zero();
-  for (const int i : candidates) {
-    const double X = (particles.x[i] - x) / radius;
-    const double Y = (particles.y[i] - y) / radius;
-    const double r2 = X * X + Y * Y;
-    if (r2 >= 1) continue;
-    const double w = (1 - std::sqrt(r2)) * (1 - std::sqrt(r2));
-    Vector basis;
-    basis << 1, X, Y, X * X, X * Y, Y * Y;
-    normal.selfadjointView<Eigen::Lower>().rankUpdate(basis, w);
-    right += w * field[i] * basis;
-  }
-  if (normal(0, 0) <= 0) return 0;
-  const Eigen::LDLT<Matrix> factor(normal);
-  if (factor.rcond() < 1e-9) return right(0) / normal(0, 0);
-  return factor.solve(right)(0);
+Sampler sampler_along(const particles::ParticleSet& particles, const SamplingPlane& plane) {
+  const auto [x0, x1] = std::minmax(plane.from[0], plane.to[0]);
+  const auto [y0, y1] = std::minmax(plane.from[1], plane.to[1]);
+  return {particles, plane.reach, {x0, y0, x1, y1}};
 }
 
-/// Simpson's rule over the height.
-double integrate(const ParticleSet& particles, const SamplingPlane& plane, const std::vector<double>& field,
-                 int end) {
-  std::vector<int> near;
-  for (int i = 0; i < end; ++i) {
-    if (std::abs(particles.x[i] - plane.x) < plane.radius) near.push_back(i);
-  }
+/// Simpson's rule for the mean along the plane.
+template <class Value>
+double mean(const SamplingPlane& plane, Value&& value) {
   double sum = 0;
   for (int k = 0; k <= plane.panels; ++k) {
     const double weight = k == 0 || k == plane.panels ? 1 : k % 2 ? 4 : 2;
-    const double y = plane.height * k / plane.panels;
-    sum += weight * fit(particles, near, field, plane.x, y, plane.radius);
+    const double s = static_cast<double>(k) / plane.panels;
+    sum += weight * value(plane.from[0] + s * (plane.to[0] - plane.from[0]),
+                          plane.from[1] + s * (plane.to[1] - plane.from[1]));
   }
-  return sum * plane.height / (3.0 * plane.panels);
+  return sum / (3.0 * plane.panels);
+}
+
+double flux(const Sampler& sampler, const SamplingPlane& plane) {
+  const double along_x = plane.to[0] - plane.from[0], along_y = plane.to[1] - plane.from[1];
+  return mean(plane, [&](double x, double y) {
+    const Velocity velocity = sampler.velocity(x, y);
+    return velocity.u * along_y - velocity.v * along_x;
+  });
 }
 
 }  // namespace
 
-double measure_flux(const ParticleSet& particles, const SamplingPlane& plane) {
-  return integrate(particles, plane, particles.u, particles.velocity_end());
+double length(const SamplingPlane& plane) {
+  return std::hypot(plane.to[0] - plane.from[0], plane.to[1] - plane.from[1]);
 }
 
-CrossSection measure(const ParticleSet& particles, const SamplingPlane& plane) {
-  return {measure_flux(particles, plane),
-          integrate(particles, plane, particles.p, particles.pressure_end()) / plane.height};
+double measure_flux(const particles::ParticleSet& particles, const SamplingPlane& plane) {
+  return flux(sampler_along(particles, plane), plane);
+}
+
+CrossSection measure(const particles::ParticleSet& particles, const SamplingPlane& plane) {
+  const Sampler sampler = sampler_along(particles, plane);
+  return {flux(sampler, plane), mean(plane, [&](double x, double y) { return sampler.pressure(x, y); })};
 }
 
 }  // namespace rouleau::operators

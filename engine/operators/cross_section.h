@@ -1,25 +1,30 @@
 #pragma once
 
-#include "engine/particles/particle_set.h"
+#include <array>
+
+#include "engine/operators/sampler.h"
 
 namespace rouleau::operators {
 
-/// The flow through a plane across a straight vessel 0 < y < height.
+/// The flow through a plane.
 struct CrossSection {
-  double flux = 0;      ///< integral of u over y
-  double pressure = 0;  ///< mean of p over y
+  double flux = 0;      ///< integral of the velocity along the plane's normal
+  double pressure = 0;  ///< mean of p
 };
 
-/// A plane to measure at, and the reach and number of the fits it is measured by.
+/// A plane to measure at: the segment between two points, through fluid alone. Its normal is the way from
+/// `from` to `to` turned by -90 degrees, so flow along +x through a plane drawn upwards is positive.
 struct SamplingPlane {
-  double x = 0;
-  double height = 1;
-  double radius = 0;  ///< of the fits
-  int panels = 2;     ///< of Simpson's rule: even
+  std::array<double, 2> from{}, to{};
+  SamplingReach reach;
+  int panels = 2;  ///< of Simpson's rule: even
 };
 
-/// Measures by quadratic least-squares fits at points across the vessel (walls are velocity data) and
-/// Simpson's rule, which is exact for a parabola. Needs sorted particles.
+/// The plane's length.
+double length(const SamplingPlane& plane);
+
+/// Measures by quadratic least-squares fits (Sampler) at points along the plane and Simpson's rule, which is
+/// exact for a parabola. Needs sorted particles.
 CrossSection measure(const particles::ParticleSet& particles, const SamplingPlane& plane);
 
 /// The flux alone.

@@ -10,7 +10,7 @@ namespace {
 constexpr double spacing = 0.1;
 
 SamplingPlane plane_at(double x) {
-  return {x, 1, 3.1 * spacing, 20};
+  return {{x, 0}, {x, 1}, {3.1 * spacing}, 20};
 }
 
 /// A parabola of mean velocity 1, and pressure falling along x.
@@ -47,6 +47,25 @@ TEST(CrossSection, FluxFollowsTheDirectionOfTheFlow) {
   auto set = poiseuille(1);
   for (double& u : set.u) u = -0.5 * u;
   EXPECT_NEAR(measure_flux(set, plane_at(1)), -0.5, 1e-9);
+}
+
+TEST(CrossSection, FluxThroughAnObliquePlaneIsThatThroughTheVessel) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const auto set = poiseuille(seed);
+    for (const double slant : {-0.8, 0.1, 0.9}) {
+      const SamplingPlane plane{{1, 0}, {1 + slant, 1}, {3.1 * spacing}, 20};
+      ASSERT_NEAR(measure_flux(set, plane), 1, 1e-9) << "seed " << seed << ", slant " << slant;
+      const SamplingPlane reversed{{1 + slant, 1}, {1, 0}, {3.1 * spacing}, 20};
+      ASSERT_NEAR(measure_flux(set, reversed), -1, 1e-9) << "seed " << seed << ", slant " << slant;
+    }
+  }
+}
+
+TEST(CrossSection, NothingFlowsThroughALineAlongTheFlow) {
+  const auto set = poiseuille(2);
+  const SamplingPlane along{{0.2, 0.5}, {1.8, 0.5}, {3.1 * spacing}, 10};
+  EXPECT_NEAR(measure_flux(set, along), 0, 1e-9);
+  EXPECT_NEAR(measure(set, along).pressure, 5 - 2 * 1, 1e-9);
 }
 
 TEST(CrossSection, WhereThereIsNothingThereIsNoFlow) {
