@@ -30,11 +30,28 @@ struct Frame {
   std::vector<float> p;            ///< Pa
 };
 
+/// Where a probe samples.
+struct ProbeLine {
+  std::string name;
+  std::vector<double> x, y;  ///< [points] m
+  bool has_flux = false;     ///< it is a line, not a point
+};
+
+/// What a probe sees at one instant, in SI units. A point outside the fluid has NaN for each.
+struct ProbeValues {
+  std::vector<double> u, v;  ///< [points] m/s
+  std::vector<double> p;     ///< [points] Pa
+  /// Through the line, m2/s per unit depth; positive from its left to its right as one goes along it: a line
+  /// from the lower wall to the upper one counts flow along +x as positive.
+  double flux = 0;
+};
+
 /// What is known when a run starts.
 struct RunHeader {
   Case resolved;
   Plan plan;
-  std::vector<Column> columns;      ///< of the series
+  std::vector<Column> columns;  ///< of the series
+  std::vector<ProbeLine> probes;
   std::vector<int> nodes_per_cell;  ///< membrane nodes of each cell
   int capacity = 0;                 ///< no frame holds more particles than this
 };
@@ -56,6 +73,9 @@ class Output {
   virtual void begin(const RunHeader&) {}
   /// One value a column of the header.
   virtual void series_row(std::span<const double>) {}
+  /// With each row of the series: its time in s, and one entry a probe of the header. Not called where there
+  /// are no probes.
+  virtual void probe_row(double, std::span<const ProbeValues>) {}
   virtual void frame(const Frame&) {}
   /// Several times a second at most.
   virtual void progress(const Progress&) {}

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "engine/observe/frames.h"
+#include "engine/observe/probes.h"
 #include "engine/observe/series.h"
 #include "engine/observe/tally.h"
 #include "engine/simulation/simulation.h"
@@ -37,12 +38,13 @@ class Schedule {
   long count_ = 0;
 };
 
-RunHeader header_of(const Simulation& simulation) {
+RunHeader header_of(const Simulation& simulation, const observe::Probes& probes) {
   const effects::State& state = simulation.state();
   RunHeader header;
   header.resolved = state.scene;
   header.plan = simulation.plan();
   header.columns = observe::series_columns(state.scene);
+  header.probes = probes.lines();
   for (const effects::CellState& cell : state.cells) header.nodes_per_cell.push_back(cell.nodes);
   header.capacity = state.particles.active_end() * 5 / 4 + 64;
   return header;
@@ -104,7 +106,8 @@ RunSummary run_case(const Case& resolved, Output& output, const std::stop_token&
   const auto start = Clock::now();
   Simulation simulation(resolved);
   const effects::State& state = simulation.state();
-  output.begin(header_of(simulation));
+  const observe::Probes probes(state);
+  output.begin(header_of(simulation, probes));
   observe::Tally tally(state);
   Schedule series(resolved.output.series_interval);
   Schedule frames(resolved.output.frame_interval);
@@ -113,7 +116,10 @@ RunSummary run_case(const Case& resolved, Output& output, const std::stop_token&
   Ending ending = Ending::completed;
   while (true) {
     const auto looked = Clock::now();
-    if (series.due(simulation.time())) output.series_row(observe::series_row(state));
+    if (series.due(simulation.time())) {
+      output.series_row(observe::series_row(state));
+      if (!state.scene.probes.empty()) output.probe_row(simulation.time(), probes.sample(state));
+    }
     if (frames.due(simulation.time())) output.frame(observe::make_frame(state));
     observing += seconds_since(looked);
     if (simulation.finished()) break;
