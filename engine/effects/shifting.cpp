@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/particles/periodic.h"
+
 namespace rouleau::effects {
 
 namespace {
@@ -17,8 +19,8 @@ class Shifting : public Effect {
     for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
       double cx = 0, cy = 0;
       const auto crowd = [&](int j) {
-        const double dx = state.next_x[i] - state.next_x[j];
-        const double dy = state.next_y[i] - state.next_y[j];
+        const double dx = particles::nearest_image(state.next_x[i] - state.next_x[j], list.period_x());
+        const double dy = particles::nearest_image(state.next_y[i] - state.next_y[j], list.period_y());
         const double r = std::sqrt(dx * dx + dy * dy);
         const double q = 1 - r / state.near_radius;
         if (q <= 0) return;

@@ -2,82 +2,70 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace rouleau::particles {
 
-namespace {
-
-/// The bin of a coordinate counted in bins; a stray one, and one that is not a number, goes to the rim.
-int rim_bound(double at, int bins) {
-  return at > 0 ? static_cast<int>(std::min(at, bins - 1.0)) : 0;
-}
-
-}  // namespace
-
-NeighbourList::NeighbourList(const Extent& extent, double radius, double near_radius)
-    : extent_(extent),
-      radius_(radius),
+NeighbourList::NeighbourList(const Extent& extent, double radius, double near_radius, double period_x,
+                             double period_y)
+    : radius_(radius),
       near_radius_(near_radius),
-      bin_(radius / 2),
-      columns_(static_cast<int>((extent.x1 - extent.x0) / bin_) + 1),
-      rows_(static_cast<int>((extent.y1 - extent.y0) / bin_) + 1) {}
+      axis_x_(extent.x0, extent.x1, radius, period_x),
+      axis_y_(extent.y0, extent.y1, radius, period_y),
+      carriers_(axis_x_, axis_y_),
+      ghosts_(axis_x_, axis_y_) {}
 
-int NeighbourList::column(double x) const {
-  return rim_bound((x - extent_.x0) / bin_, columns_);
+void NeighbourList::append_row(int i, float x, float y) {
+  const auto radius2 = static_cast<float>(radius_ * radius_);
+  const auto near2 = static_cast<float>(near_radius_ * near_radius_);
+  const Surroundings& around = carriers_around_;
+  for (auto* found : {&near_, &far_}) {
+    found->id.resize(around.id.size() + 1);
+    found->dx.resize(around.id.size() + 1);
+    found->dy.resize(around.id.size() + 1);
+  }
+  int nears = 0, fars = 0;
+  // Written always and counted only if wanted: the outcome is too irregular for branches.
+  for (int k = 0; k < around.count; ++k) {
+    const float ex = around.x[k] - x, ey = around.y[k] - y;
+    const float r2 = ex * ex + ey * ey;
+    const bool within = (r2 < radius2) & (around.id[k] != i);
+    const bool close = r2 < near2;
+    near_.id[nears] = far_.id[fars] = around.id[k];
+    near_.dx[nears] = far_.dx[fars] = ex;
+    near_.dy[nears] = far_.dy[fars] = ey;
+    nears += within & close;
+    fars += within & !close;
+  }
+  const auto at = j.size();
+  const auto append = [](auto& to, const auto& a, int count_a, const auto& b, int count_b) {
+    to.insert(to.end(), a.begin(), a.begin() + count_a);
+    to.insert(to.end(), b.begin(), b.begin() + count_b);
+  };
+  append(j, near_.id, nears, far_.id, fars);
+  append(dx, near_.dx, nears, far_.dx, fars);
+  append(dy, near_.dy, nears, far_.dy, fars);
+  r.resize(j.size());
+  for (auto k = at; k < j.size(); ++k) r[k] = std::sqrt(dx[k] * dx[k] + dy[k] * dy[k]);
+  near_end_.push_back(begin_.back() + nears);
+  begin_.push_back(static_cast<int>(j.size()));
+  longest_row_ = std::max(longest_row_, nears + fars);
 }
 
-int NeighbourList::row(double y) const {
-  return rim_bound((y - extent_.y0) / bin_, rows_);
-}
-
-void NeighbourList::file_particles(const ParticleSet& particles) {
-  const int n = particles.size();
-  bin_begin_.assign(static_cast<std::size_t>(columns_) * rows_ + 1, 0);
-  bin_of_.resize(n);
-  filed_.resize(n);
-  filed_x_.resize(n);
-  filed_y_.resize(n);
-  for (int i = 0; i < n; ++i) {
-    bin_of_[i] = column(particles.x[i]) * rows_ + row(particles.y[i]);
-    ++bin_begin_[bin_of_[i] + 1];
+void NeighbourList::append_ghosts(float x, float y) {
+  const auto near2 = static_cast<float>(near_radius_ * near_radius_);
+  for (int k = 0; k < ghosts_around_.count; ++k) {
+    const float ex = ghosts_around_.x[k] - x, ey = ghosts_around_.y[k] - y;
+    const float r2 = ex * ex + ey * ey;
+    if (r2 >= near2) continue;
+    ghost.push_back(ghosts_around_.id[k]);
+    ghost_r.push_back(std::sqrt(r2));
   }
-  std::partial_sum(bin_begin_.begin(), bin_begin_.end(), bin_begin_.begin());
-  std::vector<int> next(bin_begin_.begin(), bin_begin_.end() - 1);
-  for (int i = 0; i < n; ++i) {
-    const int at = next[bin_of_[i]]++;
-    filed_[at] = i;
-    filed_x_[at] = particles.x[i];
-    filed_y_[at] = particles.y[i];
-  }
-}
-
-void NeighbourList::append_pairs(const ParticleSet& particles, int i, const int* others, int count) {
-  const std::size_t at = j.size();
-  j.insert(j.end(), others, others + count);
-  for (auto* values : {&dx, &dy, &r}) values->resize(j.size());
-  const double* x = particles.x.data();
-  const double* y = particles.y.data();
-  const double xi = x[i], yi = y[i];
-  float* out_x = dx.data() + at;
-  float* out_y = dy.data() + at;
-  float* out_r = r.data() + at;
-#pragma omp simd
-  for (int k = 0; k < count; ++k) {
-    const auto ex = static_cast<float>(x[others[k]] - xi);
-    const auto ey = static_cast<float>(y[others[k]] - yi);
-    out_x[k] = ex;
-    out_y[k] = ey;
-    out_r[k] = std::sqrt(ex * ex + ey * ey);
-  }
+  ghost_begin_.push_back(static_cast<int>(ghost.size()));
 }
 
 void NeighbourList::build(const ParticleSet& particles) {
-  file_particles(particles);
-  const int active = particles.active_end();
-  const int first_ghost = particles.velocity_end();
-  const double radius2 = radius_ * radius_;
-  const double near2 = near_radius_ * near_radius_;
+  carriers_.file(particles.x, particles.y, 0, particles.velocity_end());
+  ghosts_.file(particles.x, particles.y, particles.velocity_end(), particles.size());
   begin_.assign(1, 0);
   ghost_begin_.assign(1, 0);
   near_end_.clear();
@@ -85,45 +73,18 @@ void NeighbourList::build(const ParticleSet& particles) {
   j.clear();
   ghost.clear();
   longest_row_ = 0;
-
-  for (auto* found : {&near_, &far_, &near_ghosts_}) found->resize(particles.x.size() + 1);
-  for (int i = 0; i < active; ++i) {
-    const double xi = particles.x[i];
-    const double yi = particles.y[i];
-    const int cx = column(xi);
-    const int cy = row(yi);
-    int nears = 0, fars = 0, ghosts = 0;
-    for (int a = std::max(cx - 2, 0); a <= std::min(cx + 2, columns_ - 1); ++a) {
-      const int from = bin_begin_[a * rows_ + std::max(cy - 2, 0)];
-      const int to = bin_begin_[a * rows_ + std::min(cy + 2, rows_ - 1) + 1];
-      // Written always and counted only if wanted: the outcome is too irregular for branches.
-      for (int k = from; k < to; ++k) {
-        const double ex = filed_x_[k] - xi;
-        const double ey = filed_y_[k] - yi;
-        const double r2 = ex * ex + ey * ey;
-        const int other = filed_[k];
-        const bool ghostly = other >= first_ghost;
-        const bool within = r2 < radius2 && other != i;
-        const bool close = r2 < near2;
-        near_[nears] = other;
-        far_[fars] = other;
-        near_ghosts_[ghosts] = other;
-        nears += within & close & !ghostly;
-        fars += within & !close & !ghostly;
-        ghosts += within & close & ghostly;
-      }
+  int collected = -1;
+  for (int i = 0; i < particles.active_end(); ++i) {
+    // Sorted particles come bin by bin, so what is around a bin is mostly found once.
+    const int bin = carriers_.bin(particles.x[i], particles.y[i]);
+    if (bin != collected) {
+      carriers_.collect(bin, carriers_around_);
+      ghosts_.collect(bin, ghosts_around_);
+      collected = bin;
     }
-    near_end_.push_back(begin_.back() + nears);
-    append_pairs(particles, i, near_.data(), nears);
-    append_pairs(particles, i, far_.data(), fars);
-    begin_.push_back(static_cast<int>(j.size()));
-    longest_row_ = std::max(longest_row_, nears + fars);
-    for (int k = 0; k < ghosts; ++k) {
-      const int other = near_ghosts_[k];
-      ghost.push_back(other);
-      ghost_r.push_back(static_cast<float>(std::hypot(particles.x[other] - xi, particles.y[other] - yi)));
-    }
-    ghost_begin_.push_back(static_cast<int>(ghost.size()));
+    const auto [x, y] = carriers_.relative(particles.x[i], particles.y[i], bin);
+    append_row(i, x, y);
+    append_ghosts(x, y);
   }
 }
 

@@ -2,22 +2,20 @@
 
 #include <vector>
 
+#include "engine/particles/bins.h"
 #include "engine/particles/particle_set.h"
 
 namespace rouleau::particles {
 
-/// The box that particles can be in; whatever strays beyond it is filed at its rim, so that a run that goes
-/// wrong cannot make the search grow.
-struct Extent {
-  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
 /// Neighbours of every active particle (membrane and fluid) as compressed rows, with the relative position
 /// of each pair. In a row the pairs within `near_radius` come first, so the short-ranged operators use a
-/// prefix of it. Ghosts stand in rows of their own, and only the near ones.
+/// prefix of it. Ghosts stand in rows of their own, and only the near ones. In a periodic direction a pair
+/// is that of the nearest images, and particles may be outside [0, period).
 class NeighbourList {
  public:
-  NeighbourList(const Extent& extent, double radius, double near_radius);
+  /// @param period_x, period_y  0: not periodic; else at least twice the radius
+  NeighbourList(const Extent& extent, double radius, double near_radius, double period_x = 0,
+                double period_y = 0);
 
   /// Needs sorted particles (`sort_particles`).
   void build(const ParticleSet& particles);
@@ -31,6 +29,8 @@ class NeighbourList {
 
   double radius() const { return radius_; }
   double near_radius() const { return near_radius_; }
+  double period_x() const { return axis_x_.period(); }
+  double period_y() const { return axis_y_.period(); }
   int longest_row() const { return longest_row_; }
 
   std::vector<int> j;            ///< [pairs] the neighbour
@@ -39,22 +39,22 @@ class NeighbourList {
   std::vector<float> ghost_r;    ///< [ghost pairs]
 
  private:
-  void file_particles(const ParticleSet& particles);
-  void append_pairs(const ParticleSet& particles, int i, const int* others, int count);
-  int column(double x) const;
-  int row(double y) const;
+  struct Found {
+    std::vector<int> id;
+    std::vector<float> dx, dy;
+  };
 
-  Extent extent_;
+  void append_row(int i, float x, float y);
+  void append_ghosts(float x, float y);
+
   double radius_;
   double near_radius_;
-  double bin_;  ///< width of the bins: half the radius
-  int columns_;
-  int rows_;
+  BinAxis axis_x_, axis_y_;
+  Bins carriers_, ghosts_;  ///< of a velocity, and of none
   int longest_row_ = 0;
   std::vector<int> begin_, near_end_, ghost_begin_;
-  std::vector<int> bin_begin_, bin_of_, filed_;
-  std::vector<double> filed_x_, filed_y_;
-  std::vector<int> near_, far_, near_ghosts_;  ///< found for one particle
+  Surroundings carriers_around_, ghosts_around_;  ///< one bin
+  Found near_, far_;                              ///< by one particle
 };
 
 }  // namespace rouleau::particles

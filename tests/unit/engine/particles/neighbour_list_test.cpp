@@ -27,16 +27,25 @@ Row row_of(const NeighbourList& list, int i) {
   return row;
 }
 
+double nearest_image(double offset, double period) {
+  return period > 0 ? offset - period * std::round(offset / period) : offset;
+}
+
+/// Pairs so close to a radius that rounding decides are taken as the list has them.
 Row brute_force(const ParticleSet& set, const NeighbourList& list, int i) {
+  const Row found = row_of(list, i);
   Row row;
   for (int j = 0; j < set.size(); ++j) {
     if (j == i) continue;
-    const double dx = set.x[j] - set.x[i], dy = set.y[j] - set.y[i];
-    const double r2 = dx * dx + dy * dy;
-    const bool near = r2 < list.near_radius() * list.near_radius();
+    const double r = std::hypot(nearest_image(set.x[j] - set.x[i], list.period_x()),
+                                nearest_image(set.y[j] - set.y[i], list.period_y()));
+    const bool near = std::abs(r / list.near_radius() - 1) < 1e-6
+                          ? found.near.count(j) || found.ghosts.count(j)
+                          : r < list.near_radius();
+    const bool within = std::abs(r / list.radius() - 1) < 1e-6 ? found.all.count(j) : r < list.radius();
     if (j >= set.velocity_end()) {
       if (near) row.ghosts.insert(j);
-    } else if (r2 < list.radius() * list.radius()) {
+    } else if (within) {
       row.all.insert(j);
       if (near) row.near.insert(j);
     }
@@ -77,6 +86,38 @@ TEST(NeighbourList, HoldsExactlyThePairsThatTryingAllFinds) {
     }
     RC_ASSERT(list.longest_row() == longest);
   }));
+}
+
+TEST(NeighbourList, PeriodicPairsAreThoseOfTheNearestImages) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    // Spread 1.6 reaches beyond both seams, as particles do that are not wrapped after every step.
+    const ParticleSet set = random_particles(150, seed, 1.6);
+    const double radius = 0.05 + 0.02 * seed;
+    for (const auto& [period_x, period_y] : {std::pair{1.1, 0.0}, {0.0, 0.95}, {1.1, 0.95}}) {
+      NeighbourList list(extent, radius, 0.6 * radius, period_x, period_y);
+      list.build(set);
+      ASSERT_GT(list.j.size(), 0u);
+      for (int i = 0; i < list.rows(); ++i) {
+        ASSERT_EQ(row_of(list, i), brute_force(set, list, i));
+        for (int k = list.begin(i); k < list.end(i); ++k) {
+          const int j = list.j[k];
+          ASSERT_NEAR(list.dx[k], nearest_image(set.x[j] - set.x[i], period_x), 2e-7);
+          ASSERT_NEAR(list.dy[k], nearest_image(set.y[j] - set.y[i], period_y), 2e-7);
+          ASSERT_NEAR(list.r[k], std::hypot(list.dx[k], list.dy[k]), 1e-7);
+        }
+      }
+    }
+  }
+}
+
+TEST(NeighbourList, APeriodOfTwoRadiiStillHoldsEveryPairOnce) {
+  const ParticleSet set = random_particles(120, 9, 1);
+  NeighbourList list(extent, 0.3, 0.2, 0.6, 0.61);
+  list.build(set);
+  for (int i = 0; i < list.rows(); ++i) {
+    ASSERT_EQ(row_of(list, i), brute_force(set, list, i));
+    ASSERT_EQ(static_cast<int>(row_of(list, i).all.size()), list.end(i) - list.begin(i));
+  }
 }
 
 TEST(NeighbourList, OffsetsAreThoseOfThePair) {
