@@ -12,7 +12,7 @@ namespace rouleau::effects {
 namespace {
 
 constexpr int max_iterations = 2000;
-constexpr double aggregate_width = 5;  // spacings, adjusted to divide the height
+constexpr double aggregate_width = 5;  // spacings
 
 /// Weight of the symmetric Laplacian, and its normalisation on a square lattice.
 double weight(double q) {
@@ -21,7 +21,9 @@ double weight(double q) {
 
 class PressureRotational : public Effect {
  public:
-  explicit PressureRotational(const State& state) {
+  explicit PressureRotational(const State& state)
+      : aggregates_(aggregate_width * state.spacing, state.neighbours.period_x() > 0,
+                    state.neighbours.period_y() > 0) {
     double lambda = 0;
     const double reach = state.near_radius / state.spacing;
     for (int a = -4; a <= 4; ++a) {
@@ -38,12 +40,15 @@ class PressureRotational : public Effect {
   void apply(State& state) override {
     find_divergence(state);
     assemble(state);
-    aggregate(state);
     const auto& particles = state.particles;
-    const int n = matrix_.rows();
-    increment_.assign(particles.phi.begin(), particles.phi.begin() + n);
-    const linear::Solve solve = solver_.solve(matrix_, right_side_, increment_,
-                                              state.scene.numerics.pressure_tolerance, max_iterations);
+    const auto n = static_cast<std::size_t>(matrix_.rows());
+    // Without an outlet nothing fixes the level of the pressure.
+    const bool closed = particles.pressure_end() == particles.active_end();
+    solver_.prepare(matrix_, aggregates_.build({particles.x.data(), n}, {particles.y.data(), n}),
+                    closed ? linear::Constants::ignored : linear::Constants::seen);
+    increment_.assign(particles.phi.begin(), particles.phi.begin() + matrix_.rows());
+    const linear::Solve solve =
+        solver_.solve(right_side_, increment_, state.scene.numerics.pressure_tolerance, max_iterations);
     state.counters.pressure_iterations += solve.iterations;
     if (!solve.converged) throw_unsolved(state, solve);
     correct(state);
@@ -70,44 +75,42 @@ class PressureRotational : public Effect {
     const auto& list = state.neighbours;
     const int n = particles.active_end();
     const int with_pressure = particles.pressure_end();
-    const double inverse_reach = 1 / state.near_radius;
-    density_scale_.assign(with_pressure, 1);
-    for (int i = 0; i < n; ++i) {
-      double density = 0;
-      for (int k = list.begin(i); k < list.near_end(i); ++k) density += weight(list.r[k] * inverse_reach);
-      for (int k = list.ghost_begin(i); k < list.ghost_end(i); ++k) {
-        density += weight(list.ghost_r[k] * inverse_reach);
-      }
-      density_scale_[i] = std::clamp(density_ / std::max(density, 1e-9), 1.0, 4.0);
-    }
+    weigh_pairs(state);
     matrix_.clear();
     for (int i = 0; i < n; ++i) {
       double diagonal = 0;
       for (int k = list.begin(i); k < list.near_end(i); ++k) {
         const int j = list.j[k];
         if (j >= with_pressure) continue;
-        const double a = laplacian_scale_ * weight(list.r[k] * inverse_reach) * 0.5 *
-                         (density_scale_[i] + density_scale_[j]);
+        const float a = pair_weight_[k] * (density_scale_[i] + density_scale_[j]);
         diagonal += a;
-        if (j < n) matrix_.add(j, static_cast<float>(-a));
+        if (j < n) matrix_.add(j, -a);
       }
       matrix_.end_row(diagonal > 0 ? diagonal : 1);
     }
   }
 
-  void aggregate(const State& state) {
-    const auto& outline = state.outline;
-    const int across =
-        std::max(1, static_cast<int>(std::lround(outline.height() / (aggregate_width * state.spacing))));
-    const double width = outline.height() / across;
-    const int along = static_cast<int>(outline.length() / width) + 1;
-    aggregate_.resize(matrix_.rows());
-    for (int i = 0; i < matrix_.rows(); ++i) {
-      const int a = std::clamp(static_cast<int>(state.particles.x[i] / width), 0, along - 1);
-      const int b = std::clamp(static_cast<int>(state.particles.y[i] / width), 0, across - 1);
-      aggregate_[i] = a * across + b;
+  void weigh_pairs(const State& state) {
+    const auto& list = state.neighbours;
+    const auto inverse_reach = static_cast<float>(1 / state.near_radius);
+    const auto scale = static_cast<float>(0.5 * laplacian_scale_);
+    pair_weight_.resize(list.j.size());
+    density_scale_.assign(state.particles.pressure_end(), 1);
+    for (int i = 0; i < list.rows(); ++i) {
+      float density = 0;
+      const float* r = list.r.data();
+      float* out = pair_weight_.data();
+      for (int k = list.begin(i); k < list.near_end(i); ++k) {
+        const float q = std::max(1 - r[k] * inverse_reach, 0.0F);
+        density += q * q;
+        out[k] = scale * (q * q);
+      }
+      for (int k = list.ghost_begin(i); k < list.ghost_end(i); ++k) {
+        const float q = std::max(1 - list.ghost_r[k] * inverse_reach, 0.0F);
+        density += q * q;
+      }
+      density_scale_[i] = std::clamp(static_cast<float>(density_) / std::max(density, 1e-9F), 1.0F, 4.0F);
     }
-    solver_.prepare(matrix_, aggregate_, along * across);
   }
 
   void correct(State& state) {
@@ -135,9 +138,10 @@ class PressureRotational : public Effect {
   double density_ = 0;
   double laplacian_scale_ = 0;
   linear::SparseRows matrix_;
+  linear::GridAggregates aggregates_;
   linear::TwoLevelCg solver_;
-  std::vector<int> aggregate_;
-  std::vector<double> excess_, right_side_, increment_, density_scale_;
+  std::vector<float> pair_weight_, density_scale_;
+  std::vector<double> excess_, right_side_, increment_;
 };
 
 }  // namespace

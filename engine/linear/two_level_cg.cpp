@@ -1,6 +1,8 @@
 #include "engine/linear/two_level_cg.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace rouleau::linear {
 
@@ -9,12 +11,32 @@ namespace {
 /// Piecewise-constant corrections fall short of the smooth error by about this factor.
 constexpr double over_correction = 1.5;
 
+/// Makes the coarse matrix definite where the fine one ignores constants.
+constexpr double regularisation = 1e-8;
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+#pragma omp simd reduction(+ : sum)
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
 }  // namespace
 
-void TwoLevelCg::prepare(const SparseRows& matrix, std::span<const int> aggregate, int aggregates) {
-  aggregate_ = aggregate;
-  std::vector<double> diagonal(static_cast<std::size_t>(aggregates), 0);
-  std::vector<Eigen::Triplet<double>> entries;
+void TwoLevelCg::prepare(const SparseRows& matrix, const Aggregates& aggregates, Constants constants) {
+  matrix_ = &matrix;
+  aggregates_ = &aggregates;
+  constants_ = constants;
+  const int n = matrix.rows();
+  inverse_diagonal_.resize(n);
+  for (int i = 0; i < n; ++i) inverse_diagonal_[i] = 1 / matrix.diagonal[i];
+  prepare_coarse();
+}
+
+void TwoLevelCg::prepare_coarse() {
+  const SparseRows& matrix = *matrix_;
+  const int* aggregate = aggregates_->of.data();
+  coarse_.reset(aggregates_->count, aggregates_->bandwidth);
   for (int i = 0; i < matrix.rows(); ++i) {
     const int a = aggregate[i];
     double kept = matrix.diagonal[i];
@@ -22,61 +44,66 @@ void TwoLevelCg::prepare(const SparseRows& matrix, std::span<const int> aggregat
       const int b = aggregate[matrix.column[k]];
       if (b == a) {
         kept += matrix.value[k];
-      } else if (b < a) {
-        entries.emplace_back(a, b, matrix.value[k]);
+      } else if (b < a && a - b <= coarse_.bandwidth()) {
+        coarse_.at(a, b) += matrix.value[k];
       }
     }
-    diagonal[a] += kept;
+    coarse_.at(a, a) += kept;
   }
-  for (int a = 0; a < aggregates; ++a) {
-    // An aggregate that lost all its particles stands alone with a harmless diagonal.
-    entries.emplace_back(a, a, diagonal[a] > 0 ? diagonal[a] : 1.0);
+  for (int a = 0; a < coarse_.rows(); ++a) {
+    double& diagonal = coarse_.at(a, a);
+    // An aggregate without particles stands alone with a harmless diagonal.
+    if (!(diagonal > 0)) diagonal = 1;
+    if (constants_ == Constants::ignored) diagonal *= 1 + regularisation;
   }
-  Eigen::SparseMatrix<double> coarse(aggregates, aggregates);
-  coarse.setFromTriplets(entries.begin(), entries.end());
-  coarse_.compute(coarse);
-  coarse_usable_ = coarse_.info() == Eigen::Success;
-  coarse_r_.resize(aggregates);
+  coarse_usable_ = coarse_.factor();
+  coarse_z_.assign(coarse_.rows(), 0);
 }
 
-double TwoLevelCg::precondition(const SparseRows& matrix) {
-  const int n = matrix.rows();
+void TwoLevelCg::centre(std::span<double> vector) const {
+  if (constants_ == Constants::seen || vector.empty()) return;
+  const double mean = std::accumulate(vector.begin(), vector.end(), 0.0) / static_cast<double>(vector.size());
+  for (double& value : vector) value -= mean;
+}
+
+double TwoLevelCg::precondition() {
+  const int n = matrix_->rows();
   if (coarse_usable_) {
-    coarse_r_.setZero();
-    for (int i = 0; i < n; ++i) coarse_r_[aggregate_[i]] += r_[i];
-    coarse_z_ = over_correction * coarse_.solve(coarse_r_);
-    for (int i = 0; i < n; ++i) z_[i] = r_[i] / matrix.diagonal[i] + coarse_z_[aggregate_[i]];
-  } else {
-    for (int i = 0; i < n; ++i) z_[i] = r_[i] / matrix.diagonal[i];
+    std::fill(coarse_z_.begin(), coarse_z_.end(), 0.0);
+    // Neighbours in memory mostly share an aggregate: their sum is kept in a register.
+    const int* aggregate = aggregates_->of.data();
+    for (int i = 0; i < n;) {
+      const int a = aggregate[i];
+      double sum = 0;
+      for (; i < n && aggregate[i] == a; ++i) sum += r_[i];
+      coarse_z_[a] += sum;
+    }
+    coarse_.solve(coarse_z_);
+    for (double& z : coarse_z_) z *= over_correction;
   }
-  double rz = 0;
-  for (int i = 0; i < n; ++i) rz += r_[i] * z_[i];
-  return rz;
+  for (int i = 0; i < n; ++i) z_[i] = r_[i] * inverse_diagonal_[i] + coarse_z_[aggregates_->of[i]];
+  centre(z_);
+  return dot(r_, z_);
 }
 
-Solve TwoLevelCg::solve(const SparseRows& matrix, std::span<const double> b, std::span<double> x,
-                        double tolerance, int max_iterations) {
-  const int n = matrix.rows();
-  for (auto* vector : {&r_, &z_, &p_, &q_}) vector->assign(static_cast<std::size_t>(n), 0);
-  double norm_b = 0, norm2 = 0;
-  for (int i = 0; i < n; ++i) {
-    r_[i] = b[i] - matrix.row_times(i, x.data());
-    norm_b += b[i] * b[i];
-    norm2 += r_[i] * r_[i];
-  }
-  const double goal = tolerance * std::sqrt(norm_b);
+Solve TwoLevelCg::solve(std::span<const double> b, std::span<double> x, double tolerance,
+                        int max_iterations) {
+  const int n = matrix_->rows();
+  for (auto* vector : {&r_, &z_, &p_, &q_}) vector->resize(n);
+  r_.assign(b.begin(), b.end());
+  centre(r_);
+  const double goal = tolerance * std::sqrt(dot(r_, r_));
+  for (int i = 0; i < n; ++i) r_[i] -= matrix_->row_times(i, x.data());
+  centre(r_);
+  double norm2 = dot(r_, r_);
   Solve result;
-  double rz = precondition(matrix);
+  double rz = precondition();
   p_ = z_;
-  double *r = r_.data(), *p = p_.data(), *q = q_.data(), *out = x.data();
   for (; result.iterations < max_iterations; ++result.iterations) {
     if (std::sqrt(norm2) <= goal) break;
-    double pq = 0;
-    for (int i = 0; i < n; ++i) {
-      q[i] = matrix.row_times(i, p);
-      pq += p[i] * q[i];
-    }
-    const double alpha = rz / pq;
+    for (int i = 0; i < n; ++i) q_[i] = matrix_->row_times(i, p_.data());
+    const double alpha = rz / dot(p_, q_);
+    double *r = r_.data(), *p = p_.data(), *q = q_.data(), *out = x.data();
     norm2 = 0;
 #pragma omp simd reduction(+ : norm2)
     for (int i = 0; i < n; ++i) {
@@ -85,13 +112,14 @@ Solve TwoLevelCg::solve(const SparseRows& matrix, std::span<const double> b, std
       norm2 += r[i] * r[i];
     }
     if (!std::isfinite(norm2)) break;
-    const double next_rz = precondition(matrix);
+    const double next_rz = precondition();
     const double beta = next_rz / rz;
     rz = next_rz;
     const double* z = z_.data();
 #pragma omp simd
     for (int i = 0; i < n; ++i) p[i] = z[i] + beta * p[i];
   }
+  centre(x);
   result.residual = std::sqrt(norm2);
   result.goal = goal;
   result.converged = result.residual <= goal;
