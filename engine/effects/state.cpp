@@ -6,19 +6,11 @@ namespace rouleau::effects {
 
 namespace {
 
-geometry::Outline outline_of(const Case& scene, const Scales& scales) {
-  std::vector<geometry::Bump> bumps;
-  for (const Thrombus& thrombus : scene.thrombi) {
-    bumps.push_back({thrombus.x / scales.length, thrombus.wall == Wall::lower ? 0.0 : 1.0,
-                     thrombus.radius / scales.length});
-  }
-  return {scene.vessel.length / scales.length, scene.vessel.diameter / scales.length, std::move(bumps)};
-}
-
 /// Room for the walls' ghosts and the buffers beyond both ends.
 particles::Extent extent_of(const geometry::Outline& outline, double spacing) {
   const double margin = 10 * spacing;
-  return {-margin, -margin, outline.length() + margin, outline.height() + margin};
+  const geometry::Bounds& b = outline.bounds();
+  return {b.x0 - margin, b.y0 - margin, b.x1 + margin, b.y1 + margin};
 }
 
 }  // namespace
@@ -26,7 +18,7 @@ particles::Extent extent_of(const geometry::Outline& outline, double spacing) {
 State::State(const Case& scene_given, const Scales& scales_given, double spacing_given)
     : scene(scene_given),
       scales(scales_given),
-      outline(outline_of(scene, scales)),
+      outline(scene, scales.length, scales.velocity),
       spacing(spacing_given),
       viscosity(scene.plasma.kinematic_viscosity / scales.viscosity()),
       radius(scene.numerics.kernel_radius * spacing),

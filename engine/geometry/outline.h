@@ -2,53 +2,63 @@
 
 #include <vector>
 
+#include "engine/case/case.h"
+#include "engine/geometry/shapes.h"
+#include "engine/geometry/vessel_walls.h"
+#include "engine/geometry/wall_distance.h"
+#include "engine/geometry/wall_nodes.h"
+
 namespace rouleau::geometry {
 
-/// A semicircle that stands on a wall, its centre on the wall.
-struct Bump {
-  double x = 0, y = 0;  ///< of its centre; y is 0 or the height of the vessel
-  double radius = 0;
-};
-
-/// A node on the true wall surface.
-struct WallNode {
-  double x = 0, y = 0;
-  double nx = 0, ny = 0;  ///< unit normal into the fluid (at a corner the bisector)
-};
-
-/// Distance to the nearest wall: positive in the fluid, with the unit normal that leads away from the wall.
-struct WallDistance {
-  double value = 0;
-  double nx = 0, ny = 0;
-};
-
-/// The fluid's outline: a straight vessel 0 < y < height with semicircles on its walls, an inlet plane at
-/// x = 0 and an outlet plane at x = length. The walls go on straight beyond both planes.
+/// The fluid's outline: walls as chains of straight pieces and arcs, the planes at its open ends, and the
+/// directions in which it repeats. Walls go on straight beyond the planes.
 class Outline {
  public:
-  Outline(double length, double height, std::vector<Bump> bumps);
+  /// The vessel and its thrombi, which must be as `read_case` accepts them, in units of `unit_length` and
+  /// `unit_velocity` (SI values of one unit).
+  Outline(const Case& scene, double unit_length, double unit_velocity)
+      : vessel_(walls_of(scene, unit_length, unit_velocity)) {}
 
-  double length() const { return length_; }
-  double height() const { return height_; }
-  const std::vector<Bump>& bumps() const { return bumps_; }
+  /// From inlet to outlets where the vessel is open. A periodic vessel's may reach past its end by what a
+  /// thrombus leaves of the wall there.
+  const std::vector<WallChain>& walls() const { return vessel_.chains; }
+  /// The inlet, if the vessel is open; it lies in x = 0.
+  const std::vector<Opening>& inlets() const { return vessel_.inlets; }
+  /// The outlets: none, one, or of a bifurcation the lower and the upper one.
+  const std::vector<Opening>& outlets() const { return vessel_.outlets; }
+  const std::vector<Bump>& bumps() const { return vessel_.bumps; }
 
-  /// Exact signed distance in the fluid and near its walls.
+  double length() const { return vessel_.length; }  ///< of the vessel, of the trunk, or of the box along x
+  double height() const { return vessel_.height; }  ///< its diameter, or of the box along y
+  double period_x() const { return vessel_.period_x; }  ///< 0: not periodic
+  double period_y() const { return vessel_.period_y; }
+  /// Of the fluid between the open ends, walls included.
+  const Bounds& bounds() const { return vessel_.bounds; }
+  /// Of the fluid between the open ends.
+  double area() const { return vessel_.area; }
+  /// The least width left between opposite walls and what stands on them; of a bifurcation the least of its
+  /// three parts; where there are no walls the height.
+  double narrowest() const { return vessel_.narrowest; }
+
+  /// Exact distance in the fluid and behind a smooth wall; behind a corner into which the fluid reaches the
+  /// depth below the wall that is left farther behind. The nearest image counts in a periodic vessel.
+  /// Infinite where there are no walls.
   WallDistance distance(double x, double y) const;
 
-  /// The least width left between opposite walls (and what stands on them).
-  double narrowest() const;
+  /// Whether a point is in the fluid and between the open ends.
+  bool contains(double x, double y) const;
 
-  /// Nodes on both walls, evenly spaced by about `spacing` on each straight piece and each arc, with a node
-  /// in every corner, reaching `extension` beyond inlet and outlet.
+  /// Nodes on all walls, evenly spaced by about `spacing` on each straight piece and each arc, with a node in
+  /// every corner, reaching `extension` beyond the open ends. Chain by chain, in order along each.
   std::vector<WallNode> wall_nodes(double spacing, double extension) const;
 
- private:
-  void add_wall(double y, double normal, double spacing, double extension,
-                std::vector<WallNode>& nodes) const;
+  /// Points behind the walls, in `layers` layers a spacing apart below each of the nodes. Left out where the
+  /// layers of one wall meet those of another or their own (behind the apex, within a thrombus): each point
+  /// is at least half a spacing behind all walls and from the other points.
+  std::vector<Point> ghosts(const std::vector<WallNode>& nodes, int layers, double spacing) const;
 
-  double length_;
-  double height_;
-  std::vector<Bump> bumps_;
+ private:
+  VesselWalls vessel_;
 };
 
 }  // namespace rouleau::geometry

@@ -92,18 +92,17 @@ void place_fluid(State& state) {
 }
 
 void place_walls(State& state) {
+  auto& particles = state.particles;
   const auto nodes = state.outline.wall_nodes(state.spacing, wall_extension * state.spacing);
   // Upstream of the inlet a plug slips along the walls: they are no velocity data there.
   const bool plug = state.scene.inflow.profile == Profile::plug;
   for (const auto& node : nodes) {
-    const bool slips = plug && node.x < -1e-9;
-    state.particles.add(slips ? Group::ghost : Group::wall, node.x, node.y);
+    const int i = particles.add(plug && node.beyond_inlet ? Group::ghost : Group::wall, node.x, node.y);
+    particles.u[i] = node.u;
+    particles.v[i] = node.v;
   }
-  for (const auto& node : nodes) {
-    for (int layer = 1; layer <= ghost_layers; ++layer) {
-      const double depth = layer * state.spacing;
-      state.particles.add(Group::ghost, node.x - depth * node.nx, node.y - depth * node.ny);
-    }
+  for (const auto& [x, y] : state.outline.ghosts(nodes, ghost_layers, state.spacing)) {
+    particles.add(Group::ghost, x, y);
   }
 }
 

@@ -14,7 +14,7 @@ void place_cells(effects::State& state);
 /// and elsewhere with the developed velocity; leaves out places too near a wall or a membrane.
 void place_fluid(effects::State& state);
 
-/// Nodes on the true wall, and three layers of ghosts behind it.
+/// Nodes on the true wall, which move as the wall does, and three layers of ghosts behind it.
 void place_walls(effects::State& state);
 
 }  // namespace rouleau

@@ -9,31 +9,36 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/engine/geometry/vessels.h"
+
 namespace rouleau::geometry {
 namespace {
 
-using Point = std::array<double, 2>;
-
 constexpr double length = 4, height = 1;
 
-/// One bump a wall, and a second one downstream on the lower wall.
-std::vector<Bump> some_bumps() {
-  return {{2.9, 0, 0.2}, {1.1, 0, 0.35}, {1.3, 1, 0.25}};
+/// One thrombus a wall, and a second one downstream on the lower wall.
+std::vector<Thrombus> some_thrombi() {
+  return {{Wall::lower, 2.9, 0.2}, {Wall::lower, 1.1, 0.35}, {Wall::upper, 1.3, 0.25}};
+}
+
+double wall_y(const Thrombus& t) {
+  return t.wall == Wall::lower ? 0 : height;
 }
 
 /// A wall sampled at `step`, by nothing but its description.
-std::vector<Point> sample_wall(const std::vector<Bump>& bumps, double y, double step) {
+std::vector<Point> sample_wall(const std::vector<Thrombus>& thrombi, double y, double step) {
   std::vector<Point> points;
   for (double x = -1; x <= length + 1; x += step) {
-    const bool under_bump = std::any_of(
-        bumps.begin(), bumps.end(), [&](const Bump& b) { return b.y == y && std::abs(x - b.x) < b.radius; });
-    if (!under_bump) points.push_back({x, y});
+    const bool under_thrombus = std::any_of(thrombi.begin(), thrombi.end(), [&](const Thrombus& t) {
+      return wall_y(t) == y && std::abs(x - t.x) < t.radius;
+    });
+    if (!under_thrombus) points.push_back({x, y});
   }
   const double up = y == 0 ? 1 : -1;
-  for (const Bump& b : bumps) {
-    if (b.y != y) continue;
-    for (double angle = 0; angle <= std::numbers::pi; angle += step / b.radius) {
-      points.push_back({b.x + b.radius * std::cos(angle), y + up * b.radius * std::sin(angle)});
+  for (const Thrombus& t : thrombi) {
+    if (wall_y(t) != y) continue;
+    for (double angle = 0; angle <= std::numbers::pi; angle += step / t.radius) {
+      points.push_back({t.x + t.radius * std::cos(angle), y + up * t.radius * std::sin(angle)});
     }
   }
   return points;
@@ -48,25 +53,25 @@ double nearest_of(const std::vector<Point>& points, const Point& to) {
   return std::sqrt(least2);
 }
 
-bool in_fluid(const std::vector<Bump>& bumps, const Point& p) {
-  return p[1] > 0 && p[1] < height && std::none_of(bumps.begin(), bumps.end(), [&](const Bump& b) {
-           return std::hypot(p[0] - b.x, p[1] - b.y) <= b.radius;
+bool in_fluid(const std::vector<Thrombus>& thrombi, const Point& p) {
+  return p[1] > 0 && p[1] < height && std::none_of(thrombi.begin(), thrombi.end(), [&](const Thrombus& t) {
+           return std::hypot(p[0] - t.x, p[1] - wall_y(t)) <= t.radius;
          });
 }
 
 TEST(Outline, DistanceIsThatToTheNearestPointOfTheWalls) {
-  const auto bumps = some_bumps();
-  const Outline outline(length, height, bumps);
+  const auto thrombi = some_thrombi();
+  const Outline outline = outline_of(straight_vessel(length, height, thrombi));
   constexpr double step = 2e-4;
-  auto wall = sample_wall(bumps, 0, step);
-  const auto upper = sample_wall(bumps, 1, step);
+  auto wall = sample_wall(thrombi, 0, step);
+  const auto upper = sample_wall(thrombi, 1, step);
   wall.insert(wall.end(), upper.begin(), upper.end());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> along(0, length), across(0, height);
   int checked = 0;
   while (checked < 300) {
     const Point p{along(random), across(random)};
-    if (!in_fluid(bumps, p)) continue;
+    if (!in_fluid(thrombi, p)) continue;
     const double brute = nearest_of(wall, p);
     if (brute < 0.02) continue;  // nearer than this the sampling itself is off by more than the tolerance
     ++checked;
@@ -79,7 +84,7 @@ TEST(Outline, DistanceIsThatToTheNearestPointOfTheWalls) {
 }
 
 TEST(Outline, DistanceIsNegativeBehindTheWallsAndLeadsOut) {
-  const Outline outline(length, height, some_bumps());
+  const Outline outline = outline_of(straight_vessel(length, height, some_thrombi()));
   const WallDistance below = outline.distance(0.3, -0.05), above = outline.distance(0.3, 1.02);
   EXPECT_NEAR(below.value, -0.05, 1e-15);
   EXPECT_EQ(below.ny, 1);
@@ -94,30 +99,33 @@ TEST(Outline, DistanceIsNegativeBehindTheWallsAndLeadsOut) {
 }
 
 TEST(Outline, NarrowestIsTheLeastGapBetweenTheWalls) {
-  const std::vector<std::vector<Bump>> scenes = {
+  const std::vector<std::vector<Thrombus>> scenes = {
       {},
-      {{1.5, 0, 0.4}},
-      {{1.5, 1, 0.6}},
-      {{1.5, 0, 0.3}, {1.5, 1, 0.4}},   // opposite
-      {{1.5, 0, 0.45}, {1.9, 1, 0.4}},  // staggered: the gap is aslant
-      {{1.0, 0, 0.3}, {3.0, 1, 0.35}},  // too far apart to matter to each other
-      some_bumps(),
+      {{Wall::lower, 1.5, 0.4}},
+      {{Wall::upper, 1.5, 0.6}},
+      {{Wall::lower, 1.5, 0.3}, {Wall::upper, 1.5, 0.4}},   // opposite
+      {{Wall::lower, 1.5, 0.45}, {Wall::upper, 1.9, 0.4}},  // staggered: the gap is aslant
+      {{Wall::lower, 1.0, 0.3}, {Wall::upper, 3.0, 0.35}},  // too far apart to matter to each other
+      some_thrombi(),
   };
-  for (const auto& bumps : scenes) {
-    const auto lower = sample_wall(bumps, 0, 4e-3), upper = sample_wall(bumps, 1, 4e-3);
+  for (const auto& thrombi : scenes) {
+    const auto lower = sample_wall(thrombi, 0, 4e-3), upper = sample_wall(thrombi, 1, 4e-3);
     double brute = height;
     for (const Point& p : lower) brute = std::min(brute, nearest_of(upper, p));
-    EXPECT_NEAR(Outline(length, height, bumps).narrowest(), brute, 1e-4);
+    EXPECT_NEAR(outline_of(straight_vessel(length, height, thrombi)).narrowest(), brute, 1e-4);
   }
 }
 
 TEST(Outline, NarrowestOfOppositeBumpsIsWhatTheyLeaveOpen) {
-  EXPECT_DOUBLE_EQ(Outline(length, height, {{2, 0, 0.25}, {2, 1, 0.5}}).narrowest(), 0.25);
+  EXPECT_DOUBLE_EQ(
+      outline_of(straight_vessel(length, height, {{Wall::lower, 2, 0.25}, {Wall::upper, 2, 0.5}}))
+          .narrowest(),
+      0.25);
 }
 
 class WallNodes : public testing::TestWithParam<double> {
  protected:
-  const Outline outline_{length, height, some_bumps()};
+  const Outline outline_ = outline_of(straight_vessel(length, height, some_thrombi()));
   const std::vector<WallNode> nodes_ = outline_.wall_nodes(GetParam(), 0.3);
 };
 
@@ -131,7 +139,7 @@ TEST_P(WallNodes, AreEvenlySpacedAlongEachWall) {
   const double spacing = GetParam();
   int gaps = 0;
   for (std::size_t k = 1; k < nodes_.size(); ++k) {
-    if (nodes_[k].x < nodes_[k - 1].x - 1) continue;  // on to the other wall
+    if (std::abs(nodes_[k].y - nodes_[k - 1].y) > 0.9) continue;  // on to the other wall
     const double gap = std::hypot(nodes_[k].x - nodes_[k - 1].x, nodes_[k].y - nodes_[k - 1].y);
     ASSERT_NEAR(gap, spacing, 0.2 * spacing) << "at " << nodes_[k].x << ", " << nodes_[k].y;
     ++gaps;
@@ -140,13 +148,13 @@ TEST_P(WallNodes, AreEvenlySpacedAlongEachWall) {
 }
 
 TEST_P(WallNodes, StandInEveryCornerOnceAndReachBeyondBothEnds) {
-  for (const Bump& bump : some_bumps()) {
+  for (const Thrombus& t : some_thrombi()) {
     for (const double side : {-1.0, 1.0}) {
-      const double x = bump.x + side * bump.radius;
+      const double x = t.x + side * t.radius;
       const auto at_corner = std::count_if(nodes_.begin(), nodes_.end(), [&](const WallNode& n) {
-        return std::hypot(n.x - x, n.y - bump.y) < 1e-12;
+        return std::hypot(n.x - x, n.y - wall_y(t)) < 1e-12;
       });
-      EXPECT_EQ(at_corner, 1) << "corner at " << x << ", " << bump.y;
+      EXPECT_EQ(at_corner, 1) << "corner at " << x << ", " << wall_y(t);
     }
   }
   const auto [first, last] = std::minmax_element(
@@ -168,7 +176,8 @@ INSTANTIATE_TEST_SUITE_P(Spacings, WallNodes, testing::Values(0.05, 0.04, 0.025,
 TEST(Outline, WallNodesOfNearlyTouchingBumpsLieOnTheSurfaceOnce) {
   const double spacing = 0.05;
   for (const double gap : {0.0, 0.5 * spacing, spacing, 1.4 * spacing}) {
-    const Outline outline(4, 1, {{1, 0, 0.3}, {1.6 + gap, 0, 0.3}});
+    const Outline outline =
+        outline_of(straight_vessel(4, 1, {{Wall::lower, 1, 0.3}, {Wall::lower, 1.6 + gap, 0.3}}));
     const auto nodes = outline.wall_nodes(spacing, 0);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       EXPECT_NEAR(outline.distance(nodes[i].x, nodes[i].y).value, 0, 1e-12) << "gap " << gap;
@@ -181,7 +190,7 @@ TEST(Outline, WallNodesOfNearlyTouchingBumpsLieOnTheSurfaceOnce) {
 }
 
 TEST(Outline, WallNodesOfAPlainVesselAreTwoStraightRows) {
-  const auto nodes = Outline(2, 1, {}).wall_nodes(0.1, 0);
+  const auto nodes = outline_of(straight_vessel(2, 1)).wall_nodes(0.1, 0);
   ASSERT_EQ(nodes.size(), 42u);
   EXPECT_EQ(nodes[0].y, 0);
   EXPECT_EQ(nodes[21].y, 1);
