@@ -81,8 +81,12 @@ Frame read_frame(hid_t file, hsize_t k) {
   const auto species = read_record<std::uint8_t>(file, path("species"), k, capacity);
   const auto cell = read_record<std::int32_t>(file, path("cell"), k, capacity);
   const auto position = read_record<float>(file, path("position"), k, 3 * capacity);
-  const auto velocity = read_record<float>(file, path("velocity"), k, 3 * capacity);
-  const auto pressure = read_record<float>(file, path("pressure"), k, capacity);
+  std::vector<float> velocity, pressure;
+  if (exists(file, trajectory + "velocity")) {
+    velocity = read_record<float>(file, path("velocity"), k, 3 * capacity);
+  }
+  if (exists(file, trajectory + "pressure"))
+    pressure = read_record<float>(file, path("pressure"), k, capacity);
 
   Frame frame;
   frame.time = read_record<double>(file, time_path, k, 1)[0];
@@ -97,9 +101,13 @@ Frame read_frame(hid_t file, hsize_t k) {
     frame.cell.push_back(cell[i]);
     frame.x.push_back(position[3 * i]);
     frame.y.push_back(position[3 * i + 1]);
-    frame.u.push_back(velocity[3 * i]);
-    frame.v.push_back(velocity[3 * i + 1]);
-    frame.p.push_back(pressure[i]);
+    if (!velocity.empty()) frame.u.push_back(velocity[3 * i]);
+    if (!velocity.empty()) frame.v.push_back(velocity[3 * i + 1]);
+    if (!pressure.empty()) frame.p.push_back(pressure[i]);
+  }
+  if (exists(file, "/walls")) {
+    const auto nodes = static_cast<std::size_t>(hdf5::shape_of(file, "/walls/shear_stress", 2)[1]);
+    frame.wall_shear_stress = read_record<float>(file, "/walls/shear_stress", k, nodes);
   }
   return frame;
 }
@@ -138,6 +146,58 @@ SeriesTable read_series(hid_t file, const std::vector<std::string>& names) {
   return table;
 }
 
+std::vector<std::string> read_probe_names(hid_t file) {
+  if (!exists(file, "/probes")) return {};
+  const hdf5::Group probes(checked(H5Gopen2(file, "/probes", H5P_DEFAULT), "probes"));
+  return hdf5::read_text_attribute(probes.get(), "names");
+}
+
+ProbeTable read_probe(hid_t file, const std::string& name) {
+  const auto names = read_probe_names(file);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    std::string all;
+    for (const std::string& other : names) all += (all.empty() ? "" : ", ") + other;
+    throw ArchiveError(
+        ArchiveError::Kind::range,
+        "no probe is named " + name + (names.empty() ? "; there are none" : "; there are: " + all));
+  }
+  const std::string at = "/probes/" + name + "/";
+  ProbeTable table;
+  table.x = hdf5::read_column<double>(file, at + "x");
+  table.y = hdf5::read_column<double>(file, at + "y");
+  table.time = hdf5::read_column<double>(file, at + "time");
+  const std::size_t rows = table.time.size(), points = table.x.size();
+  const auto values = [&](const char* quantity, std::size_t record) {
+    std::vector<double> read(rows * record);
+    if (!read.empty()) {
+      hdf5::read_records(file, at + quantity, 0, rows, hdf5::native_type<double>(), read.data(), read.size());
+    }
+    return read;
+  };
+  table.u = values("u", points);
+  table.v = values("v", points);
+  table.p = values("p", points);
+  if (exists(file, at + "flux")) table.flux = values("flux", 1);
+  return table;
+}
+
+WallNodes read_walls(hid_t file) {
+  WallNodes walls;
+  if (!exists(file, "/walls")) return walls;
+  walls.x = hdf5::read_column<double>(file, "/walls/x");
+  walls.y = hdf5::read_column<double>(file, "/walls/y");
+  walls.arc_length = hdf5::read_column<double>(file, "/walls/arc_length");
+  walls.wall = hdf5::read_column<std::int32_t>(file, "/walls/wall");
+  std::vector<double> normals(2 * walls.x.size());
+  hdf5::read_records(file, "/walls/normal", 0, walls.x.size(), hdf5::native_type<double>(), normals.data(),
+                     normals.size());
+  for (std::size_t i = 0; i < walls.x.size(); ++i) {
+    walls.nx.push_back(normals[2 * i]);
+    walls.ny.push_back(normals[2 * i + 1]);
+  }
+  return walls;
+}
+
 }  // namespace
 
 ArchiveReader::ArchiveReader(std::filesystem::path path) : path_(std::move(path)) {
@@ -154,6 +214,18 @@ std::vector<Column> ArchiveReader::columns() const {
 
 SeriesTable ArchiveReader::series(const std::vector<std::string>& names) const {
   return opened(path_, [&](hid_t file) { return read_series(file, names); });
+}
+
+std::vector<std::string> ArchiveReader::probe_names() const {
+  return opened(path_, read_probe_names);
+}
+
+ProbeTable ArchiveReader::probe(const std::string& name) const {
+  return opened(path_, [&](hid_t file) { return read_probe(file, name); });
+}
+
+WallNodes ArchiveReader::walls() const {
+  return opened(path_, read_walls);
 }
 
 int ArchiveReader::frame_count() const {

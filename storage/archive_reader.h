@@ -17,6 +17,14 @@ struct SeriesTable {
   std::vector<std::vector<double>> values;
 };
 
+/// What a probe saw. u, v and p are [T][points] one row after the other, NaN outside the fluid.
+struct ProbeTable {
+  std::vector<double> x, y;     ///< [points] m
+  std::vector<double> time;     ///< [T] s
+  std::vector<double> u, v, p;  ///< m/s, m/s, Pa
+  std::vector<double> flux;     ///< [T] m2/s; none of a single point
+};
+
 /// The closed outline of a cell at one instant, counter-clockwise.
 struct Outline {
   std::vector<float> x, y;  ///< m
@@ -33,10 +41,16 @@ class ArchiveReader {
   /// The columns named, in that order; none named: all of them.
   SeriesTable series(const std::vector<std::string>& names = {}) const;
 
+  std::vector<std::string> probe_names() const;
+  ProbeTable probe(const std::string& name) const;
+
   int frame_count() const;
   std::vector<double> frame_times() const;  ///< s
-  /// The particles alive in frame k, membrane nodes first as the run gave them.
+  /// The particles alive in frame k, membrane nodes first as the run gave them, and the stress on the walls;
+  /// fields that the run did not keep are empty.
   Frame frame(int k) const;
+  /// Where the stress on the walls is sampled; none if the run did not keep it.
+  WallNodes walls() const;
   /// Of every cell in frame k.
   std::vector<Outline> outlines(int k) const;
 

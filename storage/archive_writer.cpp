@@ -4,10 +4,11 @@
 
 #include "storage/archive/outline_writer.h"
 #include "storage/archive/parameters.h"
+#include "storage/archive/probe_writer.h"
 #include "storage/archive/series_writer.h"
 #include "storage/archive/trajectory_writer.h"
 #include "storage/archive/unfinished_file.h"
-#include "storage/archive/xdmf.h"
+#include "storage/archive/wall_writer.h"
 #include "storage/durable_file.h"
 #include "storage/hdf5/session.h"
 #include "storage/sha256.h"
@@ -46,11 +47,22 @@ std::filesystem::path sidecar_path(const std::filesystem::path& path) {
 /// What writes while a run lasts.
 struct ArchiveWriter::Parts {
   Parts(hid_t file, const RunHeader& header)
-      : series(file, header.columns), trajectory(file, header), outlines(file, header.nodes_per_cell) {}
+      : series(file, header.columns),
+        probes(file, header.probes),
+        trajectory(file, header),
+        outlines(file, header.nodes_per_cell),
+        walls(file, header.walls) {}
+
+  void write_gathered() {
+    series.write_gathered();
+    probes.write_gathered();
+  }
 
   SeriesWriter series;
+  ProbeWriter probes;
   TrajectoryWriter trajectory;
   OutlineWriter outlines;
+  WallWriter walls;
 };
 
 ArchiveWriter::ArchiveWriter(std::filesystem::path path, std::string case_given)
@@ -94,28 +106,36 @@ void ArchiveWriter::begin(const RunHeader& header) {
     parts_ = std::make_unique<Parts>(file_->id(), header);
     file_->let_others_read();
   });
-  capacity_ = header.capacity;
-  nodes_per_cell_ = header.nodes_per_cell;
-  frame_times_.clear();
+  sidecar_ = {.archive_name = path_.filename().string(),
+              .times = {},
+              .capacity = header.capacity,
+              .nodes_per_cell = header.nodes_per_cell,
+              .velocity = carries(header.resolved, Field::velocity),
+              .pressure = carries(header.resolved, Field::pressure)};
 }
 
 void ArchiveWriter::series_row(std::span<const double> row) {
   write([&] { parts_->series.add(row); });
 }
 
+void ArchiveWriter::probe_row(double time, std::span<const ProbeValues> row) {
+  write([&] { parts_->probes.add(time, row); });
+}
+
 void ArchiveWriter::frame(const Frame& frame) {
   write([&] {
-    parts_->series.write_gathered();
+    parts_->write_gathered();
     parts_->outlines.add(frame);
+    parts_->walls.add(frame);
     parts_->trajectory.add(frame);
     file_->flush();
   });
-  frame_times_.push_back(frame.time);
+  sidecar_.times.push_back(frame.time);
 }
 
 ArchiveFile ArchiveWriter::finish(const RunSummary& summary) {
   write([&] {
-    parts_->series.write_gathered();
+    parts_->write_gathered();
     file_->flush();
     parts_.reset();
     file_->reopen();
@@ -125,7 +145,7 @@ ArchiveFile ArchiveWriter::finish(const RunSummary& summary) {
   ArchiveFile result;
   result.size = std::filesystem::file_size(file_->path());
   result.sha256 = sha256_hex_of_file(file_->path());
-  write_sidecar(sidecar_path(path_), {path_.filename().string(), frame_times_, capacity_, nodes_per_cell_});
+  write_sidecar(sidecar_path(path_), sidecar_);
   file_->publish();
   file_.reset();
   return result;

@@ -9,6 +9,7 @@
 
 #include "engine/observe/output.h"
 #include "engine/simulation/run.h"
+#include "storage/archive/xdmf.h"
 #include "storage/archive_error.h"
 
 namespace rouleau::storage {
@@ -34,6 +35,7 @@ class ArchiveWriter : public Output {
 
   void begin(const RunHeader& header) override;
   void series_row(std::span<const double> row) override;
+  void probe_row(double time, std::span<const ProbeValues> row) override;
   void frame(const Frame& frame) override;
 
   /// Writes how the run ended and publishes the archive, with an .xdmf beside it for ParaView.
@@ -52,9 +54,7 @@ class ArchiveWriter : public Output {
   std::string case_given_;
   std::unique_ptr<UnfinishedFile> file_;
   std::unique_ptr<Parts> parts_;
-  int capacity_ = 0;
-  std::vector<int> nodes_per_cell_;
-  std::vector<double> frame_times_;
+  XdmfContent sidecar_;
 };
 
 /// Where an archive grows until it is finished. An ArchiveReader of the same process can open it there.

@@ -5,6 +5,8 @@ namespace rouleau::observe {
 Frame make_frame(const effects::State& state) {
   const auto& particles = state.particles;
   const Scales& s = state.scales;
+  const bool with_velocity = carries(state.scene, Field::velocity);
+  const bool with_pressure = carries(state.scene, Field::pressure);
   Frame frame;
   frame.time = state.time * s.time();
   frame.step = state.step;
@@ -16,9 +18,9 @@ Frame make_frame(const effects::State& state) {
     frame.cell.push_back(particles.cell[i]);
     frame.x.push_back(static_cast<float>(particles.x[i] * s.length));
     frame.y.push_back(static_cast<float>(particles.y[i] * s.length));
-    frame.u.push_back(static_cast<float>(particles.u[i] * s.velocity));
-    frame.v.push_back(static_cast<float>(particles.v[i] * s.velocity));
-    frame.p.push_back(static_cast<float>(particles.p[i] * s.pressure()));
+    if (with_velocity) frame.u.push_back(static_cast<float>(particles.u[i] * s.velocity));
+    if (with_velocity) frame.v.push_back(static_cast<float>(particles.v[i] * s.velocity));
+    if (with_pressure) frame.p.push_back(static_cast<float>(particles.p[i] * s.pressure()));
   }
   return frame;
 }

@@ -26,8 +26,19 @@ struct Frame {
   std::vector<ParticleKind> kind;
   std::vector<std::int32_t> cell;  ///< cell it belongs to, -1 for plasma
   std::vector<float> x, y;         ///< m
-  std::vector<float> u, v;         ///< m/s
-  std::vector<float> p;            ///< Pa
+  // Each of these is empty unless `output.fields` names it.
+  std::vector<float> u, v;               ///< m/s
+  std::vector<float> p;                  ///< Pa
+  std::vector<float> wall_shear_stress;  ///< [wall nodes of the header] Pa
+};
+
+/// Where the stress on the walls is sampled: wall by wall, along each in the direction of +x, and of +y where
+/// a wall stands upright. In a vessel with open ends that is from the inlet to the outlets.
+struct WallNodes {
+  std::vector<double> x, y;        ///< [nodes] m
+  std::vector<double> nx, ny;      ///< unit normal into the fluid
+  std::vector<double> arc_length;  ///< m, from the first node of the same wall
+  std::vector<std::int32_t> wall;  ///< number of the wall
 };
 
 /// Where a probe samples.
@@ -46,12 +57,16 @@ struct ProbeValues {
   double flux = 0;
 };
 
+/// Whether frames of this case carry a field.
+bool carries(const Case& scene, Field field);
+
 /// What is known when a run starts.
 struct RunHeader {
   Case resolved;
   Plan plan;
   std::vector<Column> columns;  ///< of the series
   std::vector<ProbeLine> probes;
+  WallNodes walls;                  ///< none unless frames carry the stress on them
   std::vector<int> nodes_per_cell;  ///< membrane nodes of each cell
   int capacity = 0;                 ///< no frame holds more particles than this
 };

@@ -39,12 +39,27 @@ nlohmann::json outlines_json(const std::vector<storage::Outline>& outlines) {
   return array;
 }
 
+/// Fields that the run does not keep are left out.
 nlohmann::json particles_json(const Frame& frame) {
   auto kinds = nlohmann::json::array();
   for (const ParticleKind kind : frame.kind) kinds.push_back(static_cast<int>(kind));
-  return {{"id", frame.id},        {"kind", std::move(kinds)}, {"cell", frame.cell},
-          {"x", numbers(frame.x)}, {"y", numbers(frame.y)},    {"u", numbers(frame.u)},
-          {"v", numbers(frame.v)}, {"p", numbers(frame.p)}};
+  nlohmann::json json{{"id", frame.id},
+                      {"kind", std::move(kinds)},
+                      {"cell", frame.cell},
+                      {"x", numbers(frame.x)},
+                      {"y", numbers(frame.y)}};
+  for (const auto& [name, values] : {std::pair{"u", &frame.u}, {"v", &frame.v}, {"p", &frame.p}}) {
+    if (!values->empty() || frame.id.empty()) json[name] = numbers(*values);
+  }
+  return json;
+}
+
+nlohmann::json walls_json(const WallNodes& walls, const Frame& frame) {
+  return {{"x", walls.x},
+          {"y", walls.y},
+          {"arc_length", walls.arc_length},
+          {"wall", walls.wall},
+          {"shear_stress", numbers(frame.wall_shear_stress)}};
 }
 
 /// @return whether `fields=outlines` is asked for
@@ -95,6 +110,7 @@ void get_frame(Service& service, const Call& call, httplib::Response& response) 
   if (!without_particles) {
     const auto frame = data.frame(k);
     body["particles"] = frame ? particles_json(*frame) : nlohmann::json();
+    if (frame && !frame->wall_shear_stress.empty()) body["walls"] = walls_json(data.walls(), *frame);
   }
   answer_json(body, response);
 }

@@ -42,4 +42,9 @@ std::optional<Frame> JobData::frame(int k) const {
   return archive_->frame(k);
 }
 
+WallNodes JobData::walls() const {
+  if (live_) return live_->walls();
+  return archive_ ? archive_->walls() : WallNodes{};
+}
+
 }  // namespace rouleau::service

@@ -20,6 +20,8 @@ class JobData {
   std::optional<std::vector<storage::Outline>> outlines(int k) const;
   /// None: no such frame, or one whose particles are no longer in memory and not yet to be read.
   std::optional<Frame> frame(int k) const;
+  /// Where the stress on the walls is sampled.
+  WallNodes walls() const;
   bool is_live() const { return live_ != nullptr; }
 
  private:

@@ -17,6 +17,10 @@ class FanOut : public Output {
     first_.series_row(row);
     second_.series_row(row);
   }
+  void probe_row(double time, std::span<const ProbeValues> row) override {
+    first_.probe_row(time, row);
+    second_.probe_row(time, row);
+  }
   void frame(const Frame& frame) override {
     first_.frame(frame);
     second_.frame(frame);

@@ -27,6 +27,7 @@ void LiveJob::begin(const RunHeader& header) {
   series_.columns = header.columns;
   series_.values.assign(header.columns.size(), {});
   nodes_per_cell_ = header.nodes_per_cell;
+  walls_ = header.walls;
 }
 
 void LiveJob::series_row(std::span<const double> row) {
@@ -69,6 +70,11 @@ std::optional<std::vector<storage::Outline>> LiveJob::outlines(int k) const {
 std::optional<Frame> LiveJob::last_frame() const {
   const std::lock_guard lock(mutex_);
   return last_frame_;
+}
+
+WallNodes LiveJob::walls() const {
+  const std::lock_guard lock(mutex_);
+  return walls_;
 }
 
 std::optional<Progress> LiveJob::progress() const {

@@ -36,6 +36,7 @@ class LiveJob : public Output {
   std::optional<std::vector<storage::Outline>> outlines(int k) const;  ///< none: no such frame
   /// Of the last frame alone.
   std::optional<Frame> last_frame() const;
+  WallNodes walls() const;
   std::optional<Progress> progress() const;
 
   /// The first reason given is kept.
@@ -57,6 +58,7 @@ class LiveJob : public Output {
   mutable std::mutex mutex_;
   storage::SeriesTable series_;
   std::vector<int> nodes_per_cell_;
+  WallNodes walls_;
   std::vector<Outlines> outlines_;
   std::optional<Frame> last_frame_;
   std::optional<Progress> progress_;

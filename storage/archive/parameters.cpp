@@ -30,6 +30,8 @@ void write_units(hid_t parameters) {
   for (const auto& [quantity, unit] : {std::pair{"position", "m"},
                                        {"velocity", "m/s"},
                                        {"pressure", "Pa"},
+                                       {"flux", "m2/s"},
+                                       {"shear_stress", "Pa"},
                                        {"time", "s"},
                                        {"outline", "m"},
                                        {"area", "m2"}}) {

@@ -12,7 +12,7 @@ namespace {
 
 using hdf5::GrowingArray;
 
-enum Array { step, time, position, velocity, pressure, species, id, alive, cell };
+enum Array { step, time, position, species, id, alive, cell };
 
 constexpr hsize_t times_per_chunk = 1024;
 constexpr const char* trajectory = "/particles/trajectory";
@@ -30,10 +30,13 @@ void write_box(hid_t file) {
   hdf5::write_attribute(box.get(), "boundary", std::vector<std::string>(3, "none"));
 }
 
-bool has_one_size(const Frame& frame) {
+/// Whether a frame's arrays have one entry a particle, and those it should not have none.
+bool has_right_sizes(const Frame& frame, bool with_velocity, bool with_pressure) {
   const std::size_t n = frame.id.size();
+  const std::size_t velocities = with_velocity ? n : 0;
   return frame.kind.size() == n && frame.cell.size() == n && frame.x.size() == n && frame.y.size() == n &&
-         frame.u.size() == n && frame.v.size() == n && frame.p.size() == n;
+         frame.u.size() == velocities && frame.v.size() == velocities &&
+         frame.p.size() == (with_pressure ? n : 0);
 }
 
 }  // namespace
@@ -43,6 +46,8 @@ TrajectoryWriter::TrajectoryWriter(hid_t file, const RunHeader& header)
       park_x_(static_cast<float>(header.resolved.vessel.length / 2)),
       park_y_(static_cast<float>(header.resolved.vessel.diameter / 2)),
       slots_(static_cast<int>(capacity_)),
+      with_velocity_(carries(header.resolved, Field::velocity)),
+      with_pressure_(carries(header.resolved, Field::pressure)),
       position_(3 * capacity_),
       velocity_(3 * capacity_),
       pressure_(capacity_),
@@ -59,8 +64,8 @@ TrajectoryWriter::TrajectoryWriter(hid_t file, const RunHeader& header)
   arrays_.push_back(GrowingArray::create<double>(first.get(), "time", {.chunk = times_per_chunk}));
   arrays_.push_back(
       GrowingArray::create<float>(first.get(), "value", {.record = {n, 3}, .chunk = 1, .compressed = true}));
-  arrays_.push_back(element<float>(file, "velocity", {n, 3}));
-  arrays_.push_back(element<float>(file, "pressure", {n}));
+  if (with_velocity_) velocities_ = element<float>(file, "velocity", {n, 3});
+  if (with_pressure_) pressures_ = element<float>(file, "pressure", {n});
   arrays_.push_back(element<std::uint8_t>(file, "species", {n}));
   arrays_.push_back(element<std::int64_t>(file, "id", {n}, -1));
   arrays_.push_back(element<std::uint8_t>(file, "alive", {n}));
@@ -81,24 +86,26 @@ void TrajectoryWriter::clear_slots() {
 }
 
 void TrajectoryWriter::add(const Frame& frame) {
-  if (!has_one_size(frame)) throw ArchiveError(ArchiveError::Kind::misuse, "a frame's arrays differ in size");
+  if (!has_right_sizes(frame, with_velocity_, with_pressure_)) {
+    throw ArchiveError(ArchiveError::Kind::misuse, "a frame's arrays differ in size");
+  }
   const std::vector<int>& slots = slots_.assign(frame.id);
   clear_slots();
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const auto slot = static_cast<std::size_t>(slots[i]);
     position_[3 * slot] = frame.x[i];
     position_[3 * slot + 1] = frame.y[i];
-    velocity_[3 * slot] = frame.u[i];
-    velocity_[3 * slot + 1] = frame.v[i];
-    pressure_[slot] = frame.p[i];
+    if (with_velocity_) velocity_[3 * slot] = frame.u[i];
+    if (with_velocity_) velocity_[3 * slot + 1] = frame.v[i];
+    if (with_pressure_) pressure_[slot] = frame.p[i];
     species_[slot] = static_cast<std::uint8_t>(frame.kind[i]);
     alive_[slot] = 1;
     id_[slot] = frame.id[i];
     cell_[slot] = frame.cell[i];
   }
   arrays_[position].append(std::span<const float>(position_));
-  arrays_[velocity].append(std::span<const float>(velocity_));
-  arrays_[pressure].append(std::span<const float>(pressure_));
+  if (velocities_) velocities_->append(std::span<const float>(velocity_));
+  if (pressures_) pressures_->append(std::span<const float>(pressure_));
   arrays_[species].append(std::span<const std::uint8_t>(species_));
   arrays_[alive].append(std::span<const std::uint8_t>(alive_));
   arrays_[id].append(std::span<const std::int64_t>(id_));

@@ -81,8 +81,8 @@ class Document {
     const std::string at = "/particles/trajectory/";
     text_ << "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"" << n << "\"/>\n";
     geometry("XYZ", {at + "position/value", {n, 3}, real}, k);
-    attribute("velocity", "Vector", {at + "velocity/value", {n, 3}, real}, k);
-    attribute("pressure", "Scalar", {at + "pressure/value", {n}, real}, k);
+    if (content_.velocity) attribute("velocity", "Vector", {at + "velocity/value", {n, 3}, real}, k);
+    if (content_.pressure) attribute("pressure", "Scalar", {at + "pressure/value", {n}, real}, k);
     attribute("species", "Scalar", {at + "species/value", {n}, R"(NumberType="UChar" Precision="1")"}, k);
     attribute("alive", "Scalar", {at + "alive/value", {n}, R"(NumberType="UChar" Precision="1")"}, k);
     attribute("cell", "Scalar", {at + "cell/value", {n}, R"(NumberType="Int" Precision="4")"}, k);

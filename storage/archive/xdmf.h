@@ -11,6 +11,8 @@ struct XdmfContent {
   std::vector<double> times;
   int capacity = 0;
   std::vector<int> nodes_per_cell;
+  bool velocity = true;  ///< whether the particles have one
+  bool pressure = true;
 };
 
 /// An XDMF 2 document by which ParaView opens an archive: the particles, and the outline of each cell as a

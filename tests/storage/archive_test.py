@@ -76,6 +76,31 @@ class InH5py(unittest.TestCase):
         self.assertEqual(self.file["series/cell0.x"].attrs["unit"].decode(), "m")
         np.testing.assert_allclose(self.file["series/time"], 2e-5 * np.arange(5 * FRAMES))
 
+    def test_probes_with_units_in_order(self):
+        probes = self.file["probes"]
+        self.assertEqual([n.decode() for n in probes.attrs["names"]], ["line", "point"])
+        line, point = probes["line"], probes["point"]
+        np.testing.assert_allclose(line["x"], [1e-6] * 3)
+        np.testing.assert_allclose(line["y"], [-1e-6, 0, 1e-6])
+        rows = np.arange(5 * FRAMES)
+        np.testing.assert_array_equal(line["time"], self.file["series/time"])
+        np.testing.assert_allclose(line["u"], np.stack([rows * np.nan, 0 * rows, 1e-3 * rows], axis=1))
+        np.testing.assert_allclose(line["v"], np.stack([rows * np.nan, 0 * rows, -1e-3 * rows], axis=1))
+        np.testing.assert_allclose(line["p"], np.stack([rows * np.nan, 40 - rows, 41 - rows], axis=1))
+        np.testing.assert_allclose(line["flux"], 1e-9 * rows)
+        np.testing.assert_allclose(point["u"], 2e-3 * rows[:, None])
+        self.assertNotIn("flux", point)
+        self.assertEqual(line["p"].attrs["unit"].decode(), "Pa")
+
+    def test_stress_on_the_walls(self):
+        walls = self.file["walls"]
+        np.testing.assert_allclose(walls["arc_length"], [0, 4e-5, 0, 4e-5])
+        np.testing.assert_array_equal(walls["normal"], [[0, 1], [0, 1], [0, -1], [0, -1]])
+        np.testing.assert_array_equal(walls["wall"], [0, 0, 1, 1])
+        self.assertEqual(walls["time"], self.trajectory["position/time"])
+        frames, nodes = np.arange(FRAMES)[:, None], np.arange(4)
+        np.testing.assert_allclose(walls["shear_stress"], frames + 0.25 * nodes)
+
     def test_outlines_areas_and_bonds(self):
         outline = self.file["outlines/cell1/value"][:]
         self.assertEqual(outline.shape, (FRAMES, NODES, 2))

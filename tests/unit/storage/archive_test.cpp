@@ -1,6 +1,7 @@
 #include "storage/archive.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -97,6 +98,73 @@ TEST_F(Archive, GivesBackSeriesOutlinesAndTexts) {
   EXPECT_EQ(reader.summary(), to_json(SyntheticRun::summary()));
 }
 
+TEST_F(Archive, GivesBackTheProbes) {
+  written(4);
+  const ArchiveReader reader(path);
+  EXPECT_EQ(reader.probe_names(), (std::vector<std::string>{"line", "point"}));
+  const ProbeTable line = reader.probe("line");
+  EXPECT_EQ(line.x, SyntheticRun::header().probes[0].x);
+  EXPECT_EQ(line.y, SyntheticRun::header().probes[0].y);
+  ASSERT_EQ(line.time.size(), 20u);
+  ASSERT_EQ(line.u.size(), 60u);
+  for (int t = 0; t < 20; ++t) {
+    const ProbeValues expected = SyntheticRun::probe_row(t)[0];
+    EXPECT_EQ(line.time[t], SyntheticRun::row(t)[0]);
+    EXPECT_EQ(line.flux[t], expected.flux);
+    EXPECT_TRUE(std::isnan(line.u[3 * t]) && std::isnan(line.v[3 * t]) && std::isnan(line.p[3 * t]));
+    for (int k = 1; k < 3; ++k) {
+      EXPECT_EQ(line.u[3 * t + k], expected.u[k]);
+      EXPECT_EQ(line.v[3 * t + k], expected.v[k]);
+      EXPECT_EQ(line.p[3 * t + k], expected.p[k]);
+    }
+  }
+  const ProbeTable point = reader.probe("point");
+  EXPECT_EQ(point.u[7], SyntheticRun::probe_row(7)[1].u[0]);
+  EXPECT_TRUE(point.flux.empty());
+  EXPECT_EQ(kind_of([&] { reader.probe("none"); }), ArchiveError::Kind::range);
+}
+
+TEST_F(Archive, GivesBackTheStressOnTheWalls) {
+  written(4);
+  const ArchiveReader reader(path);
+  const WallNodes walls = reader.walls(), expected = SyntheticRun::header().walls;
+  EXPECT_EQ(walls.x, expected.x);
+  EXPECT_EQ(walls.y, expected.y);
+  EXPECT_EQ(walls.nx, expected.nx);
+  EXPECT_EQ(walls.ny, expected.ny);
+  EXPECT_EQ(walls.arc_length, expected.arc_length);
+  EXPECT_EQ(walls.wall, expected.wall);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(reader.frame(k).wall_shear_stress, SyntheticRun::frame(k).wall_shear_stress);
+  }
+}
+
+TEST_F(Archive, HasNoFieldsThatTheCaseDoesNotAskFor) {
+  RunHeader header = SyntheticRun::header();
+  header.resolved.output.fields.clear();
+  header.probes.clear();
+  header.walls = {};
+  Frame frame = SyntheticRun::frame(0);
+  const auto positions = frame.x;
+  for (auto* field : {&frame.u, &frame.v, &frame.p, &frame.wall_shear_stress}) field->clear();
+  ArchiveWriter writer(path, "{}");
+  writer.begin(header);
+  writer.frame(frame);
+  writer.finish(SyntheticRun::summary());
+  const ArchiveReader reader(path);
+  const Frame found = reader.frame(0);
+  EXPECT_EQ(found.x, positions);
+  EXPECT_TRUE(found.u.empty() && found.v.empty() && found.p.empty() && found.wall_shear_stress.empty());
+  EXPECT_TRUE(reader.probe_names().empty());
+  EXPECT_TRUE(reader.walls().x.empty());
+  EXPECT_EQ(kind_of([&] { reader.probe("line"); }), ArchiveError::Kind::range);
+  std::ifstream sidecar(sidecar_path(path));
+  std::stringstream xdmf;
+  xdmf << sidecar.rdbuf();
+  EXPECT_EQ(xdmf.str().find("pressure"), std::string::npos);
+  EXPECT_EQ(xdmf.str().find("velocity"), std::string::npos);
+}
+
 TEST_F(Archive, TellsSizeAndHashOfWhatLiesUnderItsName) {
   const ArchiveFile file = written(3);
   EXPECT_EQ(file.size, std::filesystem::file_size(path));
@@ -177,6 +245,17 @@ TEST_F(Archive, RefusesWhatDoesNotFitItsHeader) {
     EXPECT_EQ(kind_of([&] { call(writer); }), ArchiveError::Kind::misuse);
   };
   refused([](ArchiveWriter& w) { w.series_row(std::vector<double>{1, 2}); });
+  refused([](ArchiveWriter& w) { w.probe_row(0, std::vector<ProbeValues>(1)); });
+  refused([](ArchiveWriter& w) {
+    auto row = SyntheticRun::probe_row(0);
+    row[0].p.pop_back();
+    w.probe_row(0, row);
+  });
+  refused([](ArchiveWriter& w) {
+    Frame frame = SyntheticRun::frame(0);
+    frame.wall_shear_stress.pop_back();
+    w.frame(frame);
+  });
   refused([](ArchiveWriter& w) { w.begin(SyntheticRun::header()); });
   refused([](ArchiveWriter& w) {
     Frame frame = SyntheticRun::frame(0);

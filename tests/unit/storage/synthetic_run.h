@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/observe/output.h"
@@ -9,11 +10,12 @@
 namespace rouleau::storage {
 
 /// A run that nobody computed: two cells that drift, and plasma of which one particle leaves and one comes
-/// with every frame.
+/// with every frame. A probe line reaches out of the fluid, another probe is a single point.
 struct SyntheticRun {
   static constexpr int nodes = 12;
   static constexpr int cells = 2;
   static constexpr int plasma = 20;
+  static constexpr int wall_nodes = 4;
 
   static RunHeader header() {
     RunHeader header;
@@ -23,6 +25,10 @@ struct SyntheticRun {
     header.resolved.cells = std::vector<RedCell>(cells);
     header.plan.particles = cells * nodes + plasma;
     header.columns = {{"time", "s"}, {"cell0.x", "m"}, {"particles", "1"}};
+    header.resolved.output.fields.push_back(Field::wall_shear_stress);
+    header.probes = {{"line", {1e-6, 1e-6, 1e-6}, {-1e-6, 0, 1e-6}, true}, {"point", {2e-6}, {5e-6}, false}};
+    header.walls = {{0, 4e-5, 0, 4e-5}, {0, 0, 1e-5, 1e-5}, {0, 0, 0, 0},
+                    {1, 1, -1, -1},     {0, 4e-5, 0, 4e-5}, {0, 0, 1, 1}};
     header.nodes_per_cell = std::vector<int>(cells, nodes);
     header.capacity = cells * nodes + plasma + 5;
     return header;
@@ -39,6 +45,7 @@ struct SyntheticRun {
             1e-5 * (cell + 1) + 1e-6 * k + 2e-6 * std::cos(angle), 5e-6 + 2e-6 * std::sin(angle), k);
       }
     }
+    for (int i = 0; i < wall_nodes; ++i) frame.wall_shear_stress.push_back(static_cast<float>(k + 0.25 * i));
     for (int i = 0; i < plasma; ++i) {
       add(frame, 1000 + k + i, ParticleKind::plasma, -1, 1e-6 * i, 1e-6, k);
     }
@@ -46,6 +53,13 @@ struct SyntheticRun {
   }
 
   static std::vector<double> row(int k) { return {2e-5 * k, 1e-6 * k, 44}; }
+
+  static std::vector<ProbeValues> probe_row(int k) {
+    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+    const double t = k;
+    return {{{nothing, 0, 1e-3 * t}, {nothing, 0, -1e-3 * t}, {nothing, 40 - t, 41 - t}, 1e-9 * t},
+            {{2e-3 * t}, {0}, {5}, 0}};
+  }
 
   static RunSummary summary() {
     RunSummary summary;
@@ -75,7 +89,10 @@ inline const char* const synthetic_case_given = "{\n  \"version\": 1, \"name\": 
 inline void deliver(Output& output, int frames) {
   output.begin(SyntheticRun::header());
   for (int k = 0; k < frames; ++k) {
-    for (int i = 0; i < 5; ++i) output.series_row(SyntheticRun::row(5 * k + i));
+    for (int i = 5 * k; i < 5 * k + 5; ++i) {
+      output.series_row(SyntheticRun::row(i));
+      output.probe_row(SyntheticRun::row(i)[0], SyntheticRun::probe_row(i));
+    }
     output.frame(SyntheticRun::frame(k));
   }
 }
