@@ -30,9 +30,11 @@ operators::SamplingPlane segment(const effects::State& state, const Point& from,
 }  // namespace
 
 bool in_fluid(const effects::State& state, const Point& point) {
-  const double tolerance = contact * state.spacing;
-  return point[0] >= -tolerance && point[0] <= state.outline.length() + tolerance &&
-         state.outline.distance(point[0], point[1]).value >= -tolerance;
+  const double t = contact * state.spacing;
+  const auto& [x, y] = point;
+  const geometry::Outline& outline = state.outline;
+  return outline.contains(x, y) || outline.contains(x - t, y - t) || outline.contains(x + t, y - t) ||
+         outline.contains(x - t, y + t) || outline.contains(x + t, y + t);
 }
 
 std::vector<operators::SamplingPlane> fluid_segments(const effects::State& state, const Point& from,
@@ -67,6 +69,20 @@ std::vector<operators::SamplingPlane> fluid_segments(const effects::State& state
   return segments;
 }
 
+operators::CrossSection measure(const particles::ParticleSet& particles,
+                                std::span<const operators::SamplingPlane> segments) {
+  operators::CrossSection all;
+  double width = 0;
+  for (const auto& plane : segments) {
+    const operators::CrossSection section = operators::measure(particles, plane);
+    all.flux += section.flux;
+    all.pressure += section.pressure * operators::length(plane);
+    width += operators::length(plane);
+  }
+  if (width > 0) all.pressure /= width;
+  return all;
+}
+
 double total_flux(const particles::ParticleSet& particles,
                   std::span<const operators::SamplingPlane> segments) {
   double sum = 0;
@@ -75,7 +91,7 @@ double total_flux(const particles::ParticleSet& particles,
 }
 
 operators::SamplingReach sampling_reach(const effects::State& state) {
-  return {.radius = state.radius};
+  return {state.radius, state.outline.period_x(), state.outline.period_y()};
 }
 
 }  // namespace rouleau::observe

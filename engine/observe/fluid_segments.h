@@ -18,7 +18,11 @@ bool in_fluid(const effects::State& state, const Point& point);
 std::vector<operators::SamplingPlane> fluid_segments(const effects::State& state, const Point& from,
                                                      const Point& to);
 
-/// The flux through all of them.
+/// The flux through all of them and the mean pressure over them.
+operators::CrossSection measure(const particles::ParticleSet& particles,
+                                std::span<const operators::SamplingPlane> segments);
+
+/// The flux alone.
 double total_flux(const particles::ParticleSet& particles,
                   std::span<const operators::SamplingPlane> segments);
 

@@ -2,7 +2,7 @@
 
 namespace rouleau::observe {
 
-Frame make_frame(const effects::State& state) {
+Frame make_frame(const effects::State& state, const WallShear& wall_shear) {
   const auto& particles = state.particles;
   const Scales& s = state.scales;
   const bool with_velocity = carries(state.scene, Field::velocity);
@@ -22,6 +22,7 @@ Frame make_frame(const effects::State& state) {
     if (with_velocity) frame.v.push_back(static_cast<float>(particles.v[i] * s.velocity));
     if (with_pressure) frame.p.push_back(static_cast<float>(particles.p[i] * s.pressure()));
   }
+  frame.wall_shear_stress = wall_shear.stress(state);
   return frame;
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/effects/state.h"
+#include "engine/observe/flow_planes.h"
 #include "engine/observe/output.h"
 
 namespace rouleau::observe {
@@ -10,11 +11,7 @@ namespace rouleau::observe {
 /// Columns of the time series of a scene, in their fixed order.
 std::vector<Column> series_columns(const Case& scene);
 
-/// The planes at which flow through the ends is measured: six spacings inside the vessel.
-double inflow_plane(const effects::State& state);
-double outflow_plane(const effects::State& state);
-
 /// One value a column, SI.
-std::vector<double> series_row(const effects::State& state);
+std::vector<double> series_row(const effects::State& state, const FlowPlanes& planes);
 
 }  // namespace rouleau::observe

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "engine/effects/state.h"
+#include "engine/observe/flow_planes.h"
 #include "engine/simulation/run.h"
 
 namespace rouleau::observe {
 
-/// Keeps what a summary needs: extremes of the cells, flow through both ends, eq. 22 where it applies.
+/// Keeps what a summary needs: extremes of the cells, flow through the openings, eq. 22 where it applies.
 class Tally {
  public:
   explicit Tally(const effects::State& state);
@@ -19,8 +20,11 @@ class Tally {
   void add_flow(const effects::State& state);
 
   std::vector<CellSummary> cells_;
-  bool plain_vessel_;
+  FlowPlanes planes_;
+  bool has_openings_;
+  bool develops_;
   double volume_in_ = 0, volume_out_ = 0;
+  double volume_through_ = 0;  ///< the inlet, either way
   double deviation_sum_ = 0, deviation_worst_ = 0;
   long deviation_samples_ = 0;
 };

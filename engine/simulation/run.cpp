@@ -7,6 +7,7 @@
 #include "engine/observe/probes.h"
 #include "engine/observe/series.h"
 #include "engine/observe/tally.h"
+#include "engine/observe/wall_shear.h"
 #include "engine/simulation/simulation.h"
 
 namespace rouleau {
@@ -38,13 +39,25 @@ class Schedule {
   long count_ = 0;
 };
 
-RunHeader header_of(const Simulation& simulation, const observe::Probes& probes) {
+/// Everything that is looked at while a run lasts.
+struct Observers {
+  explicit Observers(const effects::State& state)
+      : planes(observe::flow_planes(state)), probes(state), wall_shear(state), tally(state) {}
+
+  observe::FlowPlanes planes;
+  observe::Probes probes;
+  observe::WallShear wall_shear;
+  observe::Tally tally;
+};
+
+RunHeader header_of(const Simulation& simulation, const Observers& observers) {
   const effects::State& state = simulation.state();
   RunHeader header;
   header.resolved = state.scene;
   header.plan = simulation.plan();
   header.columns = observe::series_columns(state.scene);
-  header.probes = probes.lines();
+  header.probes = observers.probes.lines();
+  header.walls = observers.wall_shear.nodes();
   for (const effects::CellState& cell : state.cells) header.nodes_per_cell.push_back(cell.nodes);
   header.capacity = state.particles.active_end() * 5 / 4 + 64;
   return header;
@@ -106,9 +119,8 @@ RunSummary run_case(const Case& resolved, Output& output, const std::stop_token&
   const auto start = Clock::now();
   Simulation simulation(resolved);
   const effects::State& state = simulation.state();
-  const observe::Probes probes(state);
-  output.begin(header_of(simulation, probes));
-  observe::Tally tally(state);
+  Observers observers(state);
+  output.begin(header_of(simulation, observers));
   Schedule series(resolved.output.series_interval);
   Schedule frames(resolved.output.frame_interval);
   double observing = 0;
@@ -117,10 +129,10 @@ RunSummary run_case(const Case& resolved, Output& output, const std::stop_token&
   while (true) {
     const auto looked = Clock::now();
     if (series.due(simulation.time())) {
-      output.series_row(observe::series_row(state));
-      if (!state.scene.probes.empty()) output.probe_row(simulation.time(), probes.sample(state));
+      output.series_row(observe::series_row(state, observers.planes));
+      if (!state.scene.probes.empty()) output.probe_row(simulation.time(), observers.probes.sample(state));
     }
-    if (frames.due(simulation.time())) output.frame(observe::make_frame(state));
+    if (frames.due(simulation.time())) output.frame(observe::make_frame(state, observers.wall_shear));
     observing += seconds_since(looked);
     if (simulation.finished()) break;
     if (simulation.cell_at_outlet()) {
@@ -133,7 +145,7 @@ RunSummary run_case(const Case& resolved, Output& output, const std::stop_token&
     }
     simulation.step();
     const auto tallied = Clock::now();
-    tally.add(state);
+    observers.tally.add(state);
     observing += seconds_since(tallied);
     if (seconds_since(told) >= progress_interval) {
       output.progress(progress_of(simulation, start));
@@ -141,7 +153,7 @@ RunSummary run_case(const Case& resolved, Output& output, const std::stop_token&
     }
   }
   output.progress(progress_of(simulation, start));
-  RunSummary summary = summarise(simulation, tally, ending, seconds_since(start));
+  RunSummary summary = summarise(simulation, observers.tally, ending, seconds_since(start));
   summary.effect_times.push_back({"observers", observing});
   return summary;
 }

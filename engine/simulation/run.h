@@ -41,11 +41,11 @@ struct RunSummary {
   double wall_time = 0;  ///< s
   double steps_per_second = 0;
   std::vector<CellSummary> cells;
-  double volume_in = 0;  ///< m2 per unit depth, over the run
-  double volume_out = 0;
-  double volume_mismatch = 0;        ///< |out - in| / in
+  double volume_in = 0;              ///< net, m2 per unit depth, over the run; 0 in a vessel without openings
+  double volume_out = 0;             ///< through all outlets
+  double volume_mismatch = 0;        ///< |out - in| over what passed the inlet either way
   double peak_fluid_speed = 0;       ///< m/s
-  double poiseuille_deviation = -1;  ///< eq. 22, mean over the last half; -1 where the vessel is not plain
+  double poiseuille_deviation = -1;  ///< eq. 22, mean over the last half; -1 where no parabola is expected
   double poiseuille_deviation_worst = -1;  ///< the worst of it there
   long wrong_side = 0;                     ///< particles that a membrane let through and that were put back
   double viscosity_iterations = 0;         ///< mean a step

@@ -35,6 +35,17 @@ TEST_F(Frames, ArraysHaveOneEntryAParticleAndFitTheCapacity) {
   }
 }
 
+TEST(FrameFields, AreThoseTheCaseAsksFor) {
+  Case scene = coarse_vessel();
+  scene.duration = 3e-5;
+  scene.output.fields = {Field::pressure};
+  Recorder recorder;
+  run_case(scene, recorder);
+  const Frame& frame = recorder.frames.front();
+  EXPECT_EQ(frame.p.size(), frame.id.size());
+  EXPECT_TRUE(frame.u.empty() && frame.v.empty() && frame.wall_shear_stress.empty());
+}
+
 TEST_F(Frames, IdsAreUniqueInAFrame) {
   for (const Frame& frame : recorder_->frames) {
     EXPECT_EQ(std::set(frame.id.begin(), frame.id.end()).size(), frame.id.size());

@@ -39,6 +39,15 @@ TEST(Series, ColumnsAreTheOnesPromised) {
   EXPECT_EQ(column_names(2), joined({{"time"}, of_cell("cell0"), of_cell("cell1"), flow}));
 }
 
+TEST(Series, ABifurcationHasTwoOutflows) {
+  Case scene = coarse_vessel();
+  scene.vessel.shape = Shape::bifurcation;
+  Names names;
+  for (const Column& column : series_columns(scene)) names.push_back(column.name);
+  EXPECT_EQ(names, (Names{"time", "inflow", "outflow0", "outflow1", "pressure_drop", "particles", "time_step",
+                          "divergence"}));
+}
+
 TEST(Series, EveryColumnHasAUnit) {
   const std::set<std::string> units = {"1", "s", "m", "m/s", "m2", "m2/s", "Pa", "deg"};
   for (const Column& column : series_columns(coarse_vessel_with_cells(1))) {
