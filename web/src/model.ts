@@ -104,9 +104,10 @@ export interface Outline {
 export interface Particles {
   x: number[];
   y: number[];
-  u: number[];
-  v: number[];
-  p: number[];
+  /** What the case's `output.fields` do not name is absent. */
+  u?: number[];
+  v?: number[];
+  p?: number[];
   /** 0 plasma, 1 inside a cell, 2 membrane */
   kind: number[];
 }

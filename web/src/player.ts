@@ -13,7 +13,7 @@ const longestLag = 3;
 
 function fastest(particles: Particles): number {
   let top = 0;
-  particles.u.forEach((u, i) => (top = Math.max(top, Math.hypot(u, particles.v[i]!))));
+  particles.u?.forEach((u, i) => (top = Math.max(top, Math.hypot(u, particles.v?.[i] ?? 0))));
   return top;
 }
 

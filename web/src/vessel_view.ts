@@ -37,7 +37,7 @@ function drawParticles(
 ): void {
   const paths = Array.from({ length: colourSteps }, () => new Path2D());
   particles.x.forEach((x, i) => {
-    const fraction = Math.hypot(particles.u[i]!, particles.v[i]!) / topSpeed;
+    const fraction = Math.hypot(particles.u?.[i] ?? 0, particles.v?.[i] ?? 0) / (topSpeed || 1);
     const step = Math.min(colourSteps - 1, Math.floor(fraction * colourSteps));
     const [left, up] = [map.toX(x), map.toY(particles.y[i]!)];
     paths[step]!.moveTo(left + size / 2, up);
