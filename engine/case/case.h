@@ -52,6 +52,12 @@ inline bool is_open(const Vessel& vessel) {
   return vessel.ends == Ends::open;
 }
 
+/// Whether it has walls that may move: with open ends they would leave no developed flow to feed, and a
+/// periodic box has none.
+inline bool may_move_walls(const Vessel& vessel) {
+  return vessel.shape == Shape::box ? vessel.ends == Ends::closed : vessel.ends == Ends::periodic;
+}
+
 struct Plasma {
   double density = 1000;              ///< kg/m3
   double kinematic_viscosity = 1e-6;  ///< m2/s
@@ -165,5 +171,11 @@ struct Case {
   OutputSettings output;
   std::vector<Probe> probes;
 };
+
+/// How the plasma moves at the start, once the scene has decided.
+inline InitialFlow initial_flow(const Case& scene) {
+  if (scene.initial.flow != InitialFlow::automatic) return scene.initial.flow;
+  return is_open(scene.vessel) ? InitialFlow::developed : InitialFlow::rest;
+}
 
 }  // namespace rouleau

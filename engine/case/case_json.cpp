@@ -8,6 +8,7 @@
 #include "engine/case/case_keys.h"
 #include "engine/case/case_members.h"
 #include "engine/case/key_checks.h"
+#include "engine/case/part_checks.h"
 #include "engine/case/scene_checks.h"
 
 namespace rouleau {
@@ -17,6 +18,7 @@ Case read_with(const nlohmann::json& document, const CaseCheck& further, Faults&
   const nlohmann::json sound = sound_part(document, case_key(), "", faults);
   if (sound.is_null()) faults.raise();
   Case result = case_from_sound(sound);
+  check_parts(sound, result, faults);
   check_scene(result, faults);
   std::vector<Fault> found;
   if (further) further(result, found);

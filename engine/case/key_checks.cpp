@@ -42,26 +42,44 @@ bool is_text(const json& value, const Key& key) {
          std::none_of(text.begin(), text.end(), controls);
 }
 
-std::vector<std::string> names_of(const Key& object) {
+bool is_name(const json& value, const Key& key) {
+  if (!value.is_string()) return false;
+  const std::string& text = value.get_ref<const std::string&>();
+  return text.size() <= key.most_entries && is_identifier(text);
+}
+
+std::vector<std::string> names_of(const std::vector<Key>& members) {
   std::vector<std::string> names;
-  for (const Key& member : object.members) names.push_back(member.name);
+  for (const Key& member : members) names.push_back(member.name);
   return names;
 }
 
-void refuse_unknown_keys(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
-  const std::vector<std::string> names = names_of(key);
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Where else an unknown key would be known, or what it may have been meant to be.
+std::string hint_at(const std::string& name, const Key& object, const std::vector<std::string>& names) {
+  std::string elsewhere;
+  for (const Variant& variant : object.variants) {
+    if (!holds(names_of(variant.members), name)) continue;
+    elsewhere += (elsewhere.empty() ? "\"" : " or \"") + variant.choice + '"';
+  }
+  if (elsewhere.empty()) return did_you_mean(name, names);
+  return "; it belongs to the " + object.members.front().name + ' ' + elsewhere + ';';
+}
+
+json sound_members(const json& value, const Key& object, const std::vector<Key>& members,
+                   const std::string& pointer, Faults& faults) {
+  json sound = json::object();
+  const std::vector<std::string> names = names_of(members);
   for (const auto& [name, unused] : value.items()) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-    const std::string hint = did_you_mean(name, names);
+    if (holds(names, name)) continue;
+    const std::string hint = hint_at(name, object, names);
     faults.add(pointer_to(pointer, name),
                "unknown key" + (hint.empty() ? ";" : hint) + " allowed here: " + listed(names));
   }
-}
-
-json sound_object(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
-  json sound = json::object();
-  refuse_unknown_keys(value, key, pointer, faults);
-  for (const Key& member : key.members) {
+  for (const Key& member : members) {
     const std::string place = pointer_to(pointer, member.name);
     const auto given = value.find(member.name);
     if (given != value.end()) {
@@ -74,18 +92,58 @@ json sound_object(const json& value, const Key& key, const std::string& pointer,
   return sound;
 }
 
-json sound_list(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
-  json sound = json::array();
-  for (std::size_t k = 0; k < value.size(); ++k) {
-    const std::string place = pointer_to(pointer, k);
-    if (value[k].is_object()) {
-      sound.push_back(sound_object(value[k], key, place, faults));
-    } else {
-      faults.add(place, "found " + found(value[k]) + "; allowed is an object");
-      sound.push_back(json::object());
+/// Without a sound choice of the variant nothing can be said of the other members.
+json sound_variant(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
+  const Key& selector = key.members.front();
+  json choice = selector.fallback;
+  if (const auto given = value.find(selector.name); given != value.end()) {
+    choice = sound_part(*given, selector, pointer_to(pointer, selector.name), faults);
+  }
+  for (const Variant& variant : key.variants) {
+    if (choice == variant.choice) {
+      return sound_members(value, key, members_of(key, variant), pointer, faults);
     }
   }
+  return json::object();
+}
+
+/// A list of which every entry is sound, or null.
+template <typename KeyAt>
+json sound_entries(const json& value, const std::string& pointer, Faults& faults, const KeyAt& key_at) {
+  json sound = json::array();
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    json entry = sound_part(value[k], key_at(k), pointer_to(pointer, k), faults);
+    if (!entry.is_null()) sound.push_back(std::move(entry));
+  }
+  return sound.size() == value.size() ? sound : json(nullptr);
+}
+
+void refuse_repetitions(const json& value, const std::string& pointer, Faults& faults) {
+  for (auto entry = value.begin(); entry != value.end(); ++entry) {
+    if (std::find(value.begin(), entry, *entry) == entry) continue;
+    const auto index = static_cast<std::size_t>(std::distance(value.begin(), entry));
+    faults.add(pointer_to(pointer, index), "found " + found(*entry) + " again; each is allowed once");
+  }
+}
+
+json sound_list(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
+  const Key entry = entry_of(key);
+  if (key.distinct) refuse_repetitions(value, pointer, faults);
+  if (entry.kind != Kind::object) {
+    return sound_entries(value, pointer, faults, [&](std::size_t) -> const Key& { return entry; });
+  }
+  json sound = json::array();
+  for (std::size_t k = 0; k < value.size(); ++k) {
+    json part = sound_part(value[k], entry, pointer_to(pointer, k), faults);
+    sound.push_back(part.is_null() ? json::object() : std::move(part));
+  }
   return sound;
+}
+
+json sound_pair(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
+  Key one = key;
+  one.or_pair = false;
+  return sound_entries(value, pointer, faults, [&](std::size_t) -> const Key& { return one; });
 }
 
 json sound_switches(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
@@ -104,16 +162,22 @@ json sound_switches(const json& value, const Key& key, const std::string& pointe
 }
 
 bool fits(const json& value, const Key& key) {
+  if (key.or_pair && value.is_array()) return value.size() == 2;
   switch (key.kind) {
     case Kind::number:
     case Kind::integer:
       return is_number(value, key);
     case Kind::text:
       return is_text(value, key);
+    case Kind::identifier:
+      return is_name(value, key);
     case Kind::choice:
       return is_choice(value, key);
     case Kind::object:
+    case Kind::variant:
       return value.is_object();
+    case Kind::tuple:
+      return value.is_array() && value.size() == key.members.size();
     case Kind::list:
       return value.is_array() && value.size() <= key.most_entries;
     case Kind::switch_map:
@@ -129,9 +193,15 @@ json sound_part(const json& value, const Key& key, const std::string& pointer, F
     faults.add(pointer, "found " + found(value) + "; allowed is " + allowed(key));
     return nullptr;
   }
+  if (key.or_pair && value.is_array()) return sound_pair(value, key, pointer, faults);
   switch (key.kind) {
     case Kind::object:
-      return sound_object(value, key, pointer, faults);
+      return sound_members(value, key, key.members, pointer, faults);
+    case Kind::variant:
+      return sound_variant(value, key, pointer, faults);
+    case Kind::tuple:
+      return sound_entries(value, pointer, faults,
+                           [&](std::size_t k) -> const Key& { return key.members[k]; });
     case Kind::list:
       return sound_list(value, key, pointer, faults);
     case Kind::switch_map:

@@ -8,7 +8,8 @@
 namespace rouleau {
 
 /// Checks a value and all below it against its key, adding every fault found.
-/// @return the sound part of it: unknown keys and faulty values left out, list entries at their places
+/// @return the sound part of it: unknown keys and faulty values left out, objects in lists at their places;
+///         null if nothing is sound
 nlohmann::json sound_part(const nlohmann::json& value, const Key& key, const std::string& pointer,
                           Faults& faults);
 

@@ -3,167 +3,125 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
-#include "engine/case/cell_envelope.h"
+#include "engine/case/content_checks.h"
+#include "engine/case/vessel_outline.h"
 #include "engine/case/wording.h"
 
 namespace rouleau {
 namespace {
 
-/// Lengths are read from decimal text: a scene that fits exactly must not fail by the last bit.
-constexpr double rounding = 1e-9;
+using Point = std::array<double, 2>;
 
-class SceneChecks {
- public:
-  SceneChecks(const Case& scene, Faults& faults) : scene_(scene), faults_(faults) {
-    for (std::size_t k = 0; k < scene.thrombi.size(); ++k) {
-      if (faults.clean(pointer_to("/thrombi", k))) thrombi_.push_back(k);
-    }
-    for (std::size_t k = 0; k < scene.cells.size(); ++k) {
-      if (!faults.clean(pointer_to("/cells", k))) continue;
-      cells_.push_back(k);
-      envelopes_.push_back(cell_envelope(scene.cells[k]));
-    }
-  }
+std::string meters(double length) {
+  return rounded(length, "m");
+}
 
-  void resolution() {
-    const double spacing = scene_.numerics.spacing;
-    const double least = std::min(scene_.vessel.diameter, scene_.vessel.length) / spacing;
-    if (least < least_particles_across * (1 - rounding)) {
-      faults_.add("/numerics/spacing", meters(spacing) + " puts " + rounded(least, "particles") +
-                                           " across the vessel (" + meters(scene_.vessel.length) + " by " +
-                                           meters(scene_.vessel.diameter) + "); at least " +
-                                           in_words(least_particles_across) + " are needed");
-    }
-    const double particles = scene_.vessel.length * scene_.vessel.diameter / (spacing * spacing);
-    if (particles > most_particles) {
-      faults_.add("/numerics/spacing", meters(spacing) + " fills the vessel with " +
-                                           rounded(particles, "particles") + "; at most " +
-                                           in_words(most_particles) + " are allowed");
-    }
-  }
-
-  void each_thrombus() {
-    const double straight = scene_.numerics.kernel_radius * scene_.numerics.spacing;
-    for (const std::size_t k : thrombi_) {
-      const Thrombus& thrombus = scene_.thrombi[k];
-      const std::string place = pointer_to("/thrombi", k);
-      const double from = thrombus.x - thrombus.radius;
-      const double to = thrombus.x + thrombus.radius;
-      if (from < straight - tolerance() || to > scene_.vessel.length - straight + tolerance()) {
-        faults_.add(place, "the thrombus reaches from x = " + meters(from) + " to " + meters(to) +
-                               "; it must lie between " + meters(straight) + " and " +
-                               meters(scene_.vessel.length - straight) +
-                               ", one kernel radius of straight wall off the ends");
-      }
-      if (thrombus.radius < scene_.numerics.spacing - tolerance()) {
-        faults_.add(pointer_to(place, "radius"), "found " + meters(thrombus.radius) +
-                                                     "; at least one spacing is needed, " +
-                                                     meters(scene_.numerics.spacing));
-      }
-      const double gap = scene_.vessel.diameter - thrombus.radius;
-      if (closes(gap)) {
-        faults_.add(place, "the thrombus closes the vessel: it leaves " + meters(gap) + needed_gap());
-      }
-    }
-  }
-
-  void pairs_of_thrombi() {
-    for (std::size_t i = 0; i < thrombi_.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const Thrombus& one = scene_.thrombi[thrombi_[i]];
-        const Thrombus& other = scene_.thrombi[thrombi_[j]];
-        const double across = one.wall == other.wall ? 0 : scene_.vessel.diameter;
-        const double gap = std::hypot(one.x - other.x, across) - one.radius - other.radius;
-        const std::string place = pointer_to("/thrombi", thrombi_[i]);
-        const std::string pair = "thrombus " + std::to_string(thrombi_[j]);
-        if (one.wall == other.wall && gap < -tolerance()) {
-          faults_.add(place, "overlaps " + pair + " on the same wall by " + meters(-gap));
-        }
-        if (one.wall != other.wall && closes(gap)) {
-          faults_.add(place, "closes the vessel together with " + pair + ": they leave " +
-                                 meters(std::max(gap, 0.0)) + needed_gap());
-        }
-      }
-    }
-  }
-
-  void each_cell() {
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      const std::string place = pointer_to("/cells", cells_[i]);
-      inside_vessel(envelopes_[i], place);
-      outside_thrombi(envelopes_[i], place);
-      const RedCell& cell = scene_.cells[cells_[i]];
-      const double thickness = cell.fill * cell.diameter / 2;
-      const double needed = least_cell_thickness * scene_.numerics.spacing;
-      if (thickness < needed - tolerance()) {
-        faults_.add(place, "the cell is " + meters(thickness) + " thick in the mean; at least " +
-                               in_words(least_cell_thickness) + " spacings are needed, " + meters(needed));
-      }
-    }
-  }
-
-  void pairs_of_cells() {
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const double gap =
-            axis_distance(envelopes_[i], envelopes_[j]) - envelopes_[i].radius - envelopes_[j].radius;
-        if (gap < -tolerance()) {
-          faults_.add(pointer_to("/cells", cells_[i]),
-                      "overlaps cell " + std::to_string(cells_[j]) + " by " + meters(-gap) + as_estimated());
-        }
-      }
-    }
-  }
-
- private:
-  static std::string meters(double length) { return rounded(length, "m"); }
-
-  static std::string as_estimated() { return ", taking the cell in its rest shape"; }
-
-  std::string needed_gap() const {
-    return " open; more than " + in_words(least_gap) + " spacings are needed, " +
-           meters(least_gap * scene_.numerics.spacing);
-  }
-
-  double tolerance() const { return rounding * scene_.vessel.length; }
-
-  bool closes(double gap) const { return gap <= least_gap * scene_.numerics.spacing + tolerance(); }
-
-  void inside_vessel(const Capsule& cell, const std::string& place) {
-    const auto [left, right] = std::minmax(cell.from[0], cell.to[0]);
-    const auto [bottom, top] = std::minmax(cell.from[1], cell.to[1]);
-    const auto beyond = [&](double by, const std::string& what) {
-      if (by > tolerance()) {
-        faults_.add(place, "the cell reaches " + meters(by) + " beyond the " + what + as_estimated());
-      }
-    };
-    beyond(cell.radius - bottom, "lower wall");
-    beyond(top + cell.radius - scene_.vessel.diameter, "upper wall");
-    beyond(cell.radius - left, "inlet");
-    beyond(right + cell.radius - scene_.vessel.length, "outlet");
-  }
-
-  void outside_thrombi(const Capsule& cell, const std::string& place) {
-    for (const std::size_t k : thrombi_) {
-      const Thrombus& thrombus = scene_.thrombi[k];
-      const double y = thrombus.wall == Wall::lower ? 0 : scene_.vessel.diameter;
-      const double gap = axis_distance(cell, std::array{thrombus.x, y}) - cell.radius - thrombus.radius;
-      if (gap < -tolerance()) {
-        faults_.add(place, "the cell reaches " + meters(-gap) + " into thrombus " + std::to_string(k) +
-                               as_estimated());
-      }
-    }
-  }
-
-  const Case& scene_;
-  Faults& faults_;
-  std::vector<std::size_t> thrombi_;  ///< those without a fault of their own
-  std::vector<std::size_t> cells_;
-  std::vector<Capsule> envelopes_;  ///< of `cells_`
+struct VesselPart {
+  std::string name;
+  double length = 0, diameter = 0;  ///< m
 };
+
+std::vector<VesselPart> parts_of(const Vessel& vessel) {
+  if (vessel.shape == Shape::box) return {{"box", vessel.length, vessel.diameter}};
+  if (vessel.shape == Shape::straight) return {{"vessel", vessel.length, vessel.diameter}};
+  return {{"trunk", vessel.length, vessel.diameter},
+          {"lower branch", vessel.branches[0].length, vessel.branches[0].diameter},
+          {"upper branch", vessel.branches[1].length, vessel.branches[1].diameter}};
+}
+
+void check_resolution(const Case& scene, const VesselOutline& outline, Faults& faults) {
+  const double spacing = scene.numerics.spacing;
+  for (const auto& [name, length, diameter] : parts_of(scene.vessel)) {
+    const double least = std::min(diameter, length) / spacing;
+    if (least >= least_particles_across * (1 - rounding)) continue;
+    faults.add("/numerics/spacing", meters(spacing) + " puts " + rounded(least, "particles") +
+                                        " across the " + name + " (" + meters(length) + " by " +
+                                        meters(diameter) + "); at least " + in_words(least_particles_across) +
+                                        " are needed");
+  }
+  const double particles = outline.area() / (spacing * spacing);
+  if (particles > most_particles) {
+    faults.add("/numerics/spacing", meters(spacing) + " fills the vessel with " +
+                                        rounded(particles, "particles") + "; at most " +
+                                        in_words(most_particles) + " are allowed");
+  }
+}
+
+/// The flow develops before the apex and again behind it, over a diameter at least.
+void check_apex(const Vessel& vessel, Faults& faults) {
+  const Point apex = apex_of(vessel);
+  if (apex[0] < vessel.diameter * (1 - rounding)) {
+    faults.add("/vessel/trunk", "the branches' inner walls meet at x = " + meters(apex[0]) +
+                                    "; at least the trunk's diameter, " + meters(vessel.diameter) +
+                                    ", must lie before that: a trunk longer than " +
+                                    meters(vessel.length + vessel.diameter - apex[0]) + " would do");
+  }
+  const double angle = vessel.half_angle * std::numbers::pi / 180;
+  for (const std::size_t k : {0U, 1U}) {
+    const double across = k == 0 ? apex[1] : vessel.diameter - apex[1];
+    // How far along the branch's outer wall, from its corner, the apex lies.
+    const double along = (apex[0] - vessel.length) * std::cos(angle) - across * std::sin(angle);
+    const Branch& branch = vessel.branches[k];
+    const double inner = branch.length - along;
+    if (inner >= branch.diameter * (1 - rounding)) continue;
+    faults.add("/vessel/branches", "the inner wall of the " + std::string(k == 0 ? "lower" : "upper") +
+                                       " branch is " + meters(inner) + " long; at least its diameter, " +
+                                       meters(branch.diameter) + ", is needed: a branch longer than " +
+                                       meters(along + branch.diameter) + " would do");
+  }
+}
+
+void check_probes(const Case& scene, const VesselOutline& outline, Faults& faults) {
+  Point low = outline.sides[0].from, high = low;
+  for (const VesselSide& side : outline.sides) {
+    for (const std::size_t axis : {0U, 1U}) {
+      low[axis] = std::min(low[axis], side.to[axis]);
+      high[axis] = std::max(high[axis], side.to[axis]);
+    }
+  }
+  const auto outside = [&](const Point& point, std::size_t axis) {
+    const double tolerance = rounding * (high[axis] - low[axis]);
+    return point[axis] < low[axis] - tolerance || point[axis] > high[axis] + tolerance;
+  };
+  for (std::size_t k = 0; k < scene.probes.size(); ++k) {
+    const std::string place = pointer_to("/probes", k);
+    if (!faults.clean(place)) continue;
+    const Probe& probe = scene.probes[k];
+    for (const auto& [name, point] : {std::pair{"from", probe.from}, std::pair{"to", probe.to}}) {
+      for (const std::size_t axis : {0U, 1U}) {
+        if (!outside(point, axis)) continue;
+        faults.add(pointer_to(pointer_to(place, name), axis),
+                   "found " + meters(point[axis]) + "; the vessel reaches from " + meters(low[axis]) +
+                       " to " + meters(high[axis]));
+      }
+      if (probe.to == probe.from) break;
+    }
+  }
+}
+
+void check_points_of_probes(const std::vector<Probe>& probes, Faults& faults) {
+  for (std::size_t k = 0; k < probes.size(); ++k) {
+    const std::string place = pointer_to("/probes", k);
+    if (!faults.clean(place)) continue;
+    const bool line = probes[k].to != probes[k].from;
+    if (line && probes[k].points == 1) {
+      faults.add(pointer_to(place, "points"), "found 1 on a line; at least 2 are needed, one for either end");
+    } else if (!line && probes[k].points > 1) {
+      faults.add(pointer_to(place, "points"), "found " + std::to_string(probes[k].points) +
+                                                  " where \"from\" and \"to\" are the same; allowed is 1");
+    }
+    for (std::size_t j = 0; j < k; ++j) {
+      if (probes[j].name != probes[k].name || !faults.clean(pointer_to("/probes", j))) continue;
+      faults.add(pointer_to(place, "name"), "found \"" + probes[k].name + "\", the name of probe " +
+                                                std::to_string(j) + "; each needs its own");
+      break;
+    }
+  }
+}
 
 void check_amount_of_output(const Case& scene, Faults& faults) {
   const auto check = [&](const char* pointer, double interval, double most) {
@@ -181,14 +139,16 @@ void check_amount_of_output(const Case& scene, Faults& faults) {
 
 void check_scene(const Case& scene, Faults& faults) {
   const bool output_known = faults.clean("/output") && faults.clean("/duration");
-  if (faults.clean("/vessel") && faults.clean("/numerics")) {
-    SceneChecks checks(scene, faults);
-    checks.resolution();
-    checks.each_thrombus();
-    checks.pairs_of_thrombi();
-    checks.each_cell();
-    checks.pairs_of_cells();
+  if (scene.vessel.shape == Shape::bifurcation && faults.clean("/vessel")) check_apex(scene.vessel, faults);
+  if (faults.clean("/vessel")) {
+    const VesselOutline outline = outline_of(scene.vessel);
+    check_probes(scene, outline, faults);
+    if (faults.clean("/numerics")) {
+      check_resolution(scene, outline, faults);
+      check_contents(scene, outline, faults);
+    }
   }
+  check_points_of_probes(scene.probes, faults);
   if (output_known) check_amount_of_output(scene, faults);
 }
 

@@ -5,8 +5,10 @@
 
 namespace rouleau {
 
-inline constexpr double least_particles_across = 8;  ///< of a vessel, in either direction
-inline constexpr double most_particles = 4e6;        ///< length * diameter / spacing^2
+/// Lengths are read from decimal text: a scene that fits exactly must not fail by the last bit.
+inline constexpr double rounding = 1e-9;
+inline constexpr double least_particles_across = 8;  ///< of a vessel or a part of it, in either direction
+inline constexpr double most_particles = 4e6;        ///< area / spacing^2
 inline constexpr double least_gap = 2;               ///< what thrombi must leave open, in spacings
 inline constexpr double least_cell_thickness = 2;    ///< mean thickness 2A/P of a cell, in spacings
 inline constexpr double most_series_rows = 1e7;

@@ -43,6 +43,46 @@ std::string entries(const Key& key, const std::string& of_what) {
   return "at most " + std::to_string(key.most_entries) + " " + of_what;
 }
 
+std::string bracketed(const std::vector<Key>& members) {
+  std::string text;
+  for (const Key& member : members) {
+    text += (text.empty() ? "[" : ", ") + member.name;
+    if (!member.unit.empty()) text += " (" + member.unit + ")";
+  }
+  return text + "]";
+}
+
+std::string allowed_entries(const Key& list) {
+  if (list.entries == Kind::tuple) return entries(list, "lists " + bracketed(list.members));
+  if (list.entries == Kind::choice) return entries(list, "of " + listed(list.choices));
+  return entries(list, "objects");
+}
+
+std::string allowed_one(const Key& key) {
+  switch (key.kind) {
+    case Kind::number:
+    case Kind::integer:
+      return allowed_number(key);
+    case Kind::text:
+      return "a text of " + entries(key, "characters without control characters");
+    case Kind::identifier:
+      return "a text of " + entries(key, "letters, digits, _ and -");
+    case Kind::choice:
+      return key.choices.size() == 1 ? "only \"" + key.choices.front() + '"'
+                                     : "one of " + listed(key.choices);
+    case Kind::object:
+    case Kind::variant:
+      return "an object";
+    case Kind::tuple:
+      return "a list " + bracketed(key.members);
+    case Kind::list:
+      return "a list of " + allowed_entries(key);
+    case Kind::switch_map:
+      return "an object of " + entries(key, "names, each with one of " + listed(key.choices));
+  }
+  return "";
+}
+
 /// Levenshtein's distance.
 std::size_t edits(std::string_view one, std::string_view other) {
   std::vector<std::size_t> row(other.size() + 1);
@@ -96,23 +136,7 @@ std::string found(const json& value) {
 }
 
 std::string allowed(const Key& key) {
-  switch (key.kind) {
-    case Kind::number:
-    case Kind::integer:
-      return allowed_number(key);
-    case Kind::text:
-      return "a text of " + entries(key, "characters without control characters");
-    case Kind::choice:
-      return key.choices.size() == 1 ? "only \"" + key.choices.front() + '"'
-                                     : "one of " + listed(key.choices);
-    case Kind::object:
-      return "an object";
-    case Kind::list:
-      return "a list of " + entries(key, "objects");
-    case Kind::switch_map:
-      return "an object of " + entries(key, "names, each with one of " + listed(key.choices));
-  }
-  return "";
+  return allowed_one(key) + (key.or_pair ? ", or a list of two of these" : "");
 }
 
 std::string listed(const std::vector<std::string>& names) {

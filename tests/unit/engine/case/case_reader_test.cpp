@@ -41,20 +41,32 @@ TEST(CaseReader, FillsInEveryDefault) {
   EXPECT_EQ(read.duration, 1e-3);
   EXPECT_EQ(read.output.series_interval, 2e-5);
   EXPECT_EQ(read.output.frame_interval, 1e-4);
+  EXPECT_THAT(read.output.fields, ElementsAre(Field::velocity, Field::pressure));
+  EXPECT_EQ(read.vessel.shape, Shape::straight);
+  EXPECT_EQ(read.vessel.ends, Ends::open);
+  EXPECT_TRUE(read.inflow.waveform.empty());
+  EXPECT_EQ(read.body_acceleration, (std::array{0.0, 0.0}));
+  EXPECT_EQ(read.initial.flow, InitialFlow::automatic);
+  EXPECT_EQ(read.numerics.viscosity, Viscosity::implicit);
+  EXPECT_EQ(read.numerics.substeps, 12);
+  EXPECT_TRUE(read.probes.empty());
 }
 
 TEST(CaseReader, ReadsEveryKey) {
   const Case read = read_case(R"({"version": 1, "name": "µ", "duration": 0.002,
     "vessel": {"shape": "straight", "ends": "open", "length": 1e-4, "diameter": 2e-5},
     "plasma": {"density": 1025, "kinematic_viscosity": 1.2e-6},
-    "inflow": {"velocity": 0.01, "profile": "parabolic"}, "outflow": {"pressure": -3},
+    "inflow": {"velocity": 0.01, "profile": "parabolic", "waveform": [[0, 1], [0.5, -2]]},
+    "outflow": {"pressure": -3}, "initial": {"flow": "rest"},
     "thrombi": [{"wall": "upper", "x": 5e-5, "radius": 4e-6}],
     "cells": [{"x": 2e-5, "y": 8e-6, "diameter": 7e-6, "fill": 0.6, "angle": -30, "stretch_modulus": 2e-5,
                "bend_modulus": 1e-18, "viscosity_ratio": 1, "shape": "rest"}],
     "effects": {"bending": "off", "contact": "auto", "x1_y": "on"},
     "numerics": {"preset": "draft", "spacing": 6e-7, "time_step": 1e-6, "kernel_radius": 2.6,
-                 "pressure_tolerance": 1e-3, "threads": 1},
-    "output": {"series_interval": 0, "frame_interval": 1e-5}})");
+                 "viscosity": "implicit", "pressure_tolerance": 1e-3, "threads": 1},
+    "output": {"series_interval": 0, "frame_interval": 1e-5, "fields": ["wall_shear_stress"]},
+    "probes": [{"name": "across-1", "from": [4e-5, 0], "to": [4e-5, 2e-5], "points": 21},
+               {"name": "point", "from": [1e-5, 1e-5]}]})");
   EXPECT_EQ(read.name, "µ");
   EXPECT_EQ(read.plasma.density, 1025);
   EXPECT_EQ(read.inflow.profile, Profile::parabolic);
@@ -72,6 +84,15 @@ TEST(CaseReader, ReadsEveryKey) {
   EXPECT_EQ(read.numerics.time_step, 1e-6);
   EXPECT_EQ(read.numerics.kernel_radius, 2.6);
   EXPECT_EQ(read.output.series_interval, 0);
+  EXPECT_THAT(read.output.fields, ElementsAre(Field::wall_shear_stress));
+  EXPECT_EQ(read.inflow.waveform.at(1).time, 0.5);
+  EXPECT_EQ(read.inflow.waveform.at(1).factor, -2);
+  EXPECT_EQ(read.initial.flow, InitialFlow::rest);
+  EXPECT_EQ(read.probes.at(0).name, "across-1");
+  EXPECT_EQ(read.probes.at(0).to, (std::array{4e-5, 2e-5}));
+  EXPECT_EQ(read.probes.at(0).points, 21);
+  EXPECT_EQ(read.probes.at(1).to, read.probes.at(1).from);
+  EXPECT_EQ(read.probes.at(1).points, 1);
 }
 
 TEST(CaseReader, PresetsSetTheSpacing) {
@@ -81,6 +102,19 @@ TEST(CaseReader, PresetsSetTheSpacing) {
   EXPECT_EQ(spacing("draft"), 5e-7);
   EXPECT_EQ(spacing("standard"), 4e-7);
   EXPECT_EQ(spacing("fine"), 2.5e-7);
+  EXPECT_EQ(spacing("paper"), 4e-7);
+}
+
+TEST(CaseReader, ThePaperPresetIsThePublishedScheme) {
+  const Numerics published = read_case(paper_case()).numerics;
+  EXPECT_EQ(published.time_step, 5e-7);
+  EXPECT_EQ(published.kernel_radius, 2.1);
+  EXPECT_EQ(published.viscosity, Viscosity::substeps);
+  EXPECT_EQ(published.substeps, 12);
+  EXPECT_EQ(published.pressure_tolerance, 1e-6);
+  EXPECT_EQ(read_case(with(paper_case(), "/numerics/substeps", 7)).numerics.substeps, 7);
+  EXPECT_FALSE(read_case(with(paper_case(), "/numerics/time_step", "auto")).numerics.time_step);
+  EXPECT_EQ(read_case(with(paper_case(), "/numerics/kernel_radius", 1.5)).numerics.kernel_radius, 1.5);
 }
 
 TEST(CaseReader, RefusesValuesOfTheWrongType) {
@@ -112,8 +146,8 @@ TEST(CaseReader, RefusesValuesOutOfRange) {
   };
   refused("/vessel/length", 0, "greater than 0 and less than 1 (m)");
   refused("/vessel/diameter", 1, "less than 1 (m)");
-  refused("/vessel/shape", "box", "allowed is only \"straight\"");
-  refused("/vessel/ends", "periodic", "allowed is only \"open\"");
+  refused("/vessel/shape", "tube", "one of straight, bifurcation, box");
+  refused("/vessel/ends", "closed", "one of open, periodic");
   refused("/plasma/density", 0, "(kg/m3)");
   refused("/plasma/kinematic_viscosity", -1e-6, "(m2/s)");
   refused("/inflow/velocity", 0, "greater than 0");
@@ -132,9 +166,14 @@ TEST(CaseReader, RefusesValuesOutOfRange) {
   refused("/effects/bending", "yes", "one of auto, on, off");
   refused("/effects/bending", true, "one of auto, on, off");
   refused("/effects/Bending", "on", "lower-case words");
-  refused("/numerics/preset", "paper", "one of draft, standard, fine");
+  refused("/numerics/preset", "coarse", "one of draft, standard, fine, paper");
   refused("/numerics/spacing", 0, "greater than 0");
-  refused("/numerics/kernel_radius", 2.1, "at least 2.6 and at most 4");
+  refused("/numerics/kernel_radius", 1.4, "at least 1.5 and at most 4");
+  refused("/numerics/viscosity", "explicit", "one of implicit, substeps");
+  refused("/numerics/substeps", 0, "a whole number of at least 1 and at most 1000");
+  refused("/inflow/waveform", 1, "a list of at most 10000 lists [time (s), factor]");
+  refused("/initial/flow", "still", "one of auto, rest, developed, taylor_green");
+  refused("/body_acceleration", {1}, "a list [ax (m/s2), ay (m/s2)]");
   refused("/numerics/pressure_tolerance", 0, "at least");
   refused("/numerics/threads", 2, "equal to 1");
   refused("/numerics/time_step", 0, "(s)");
@@ -145,7 +184,32 @@ TEST(CaseReader, RefusesValuesOutOfRange) {
   refused("/duration", std::numeric_limits<double>::infinity(), "inf");
 }
 
+TEST(CaseReader, NamesTheEntryThatIsWrong) {
+  expect_only_fault(with(minimal_case(), "/inflow/waveform", {{0, 1}, {1}}), "/inflow/waveform/1",
+                    "found a list of 1; allowed is a list [time (s), factor]");
+  expect_only_fault(with(minimal_case(), "/inflow/waveform", {{0, 1}, {-1, 1}}), "/inflow/waveform/1/0",
+                    "of at least 0");
+  expect_only_fault(with(minimal_case(), "/inflow/waveform", {{0, 101}}), "/inflow/waveform/0/1",
+                    "at most 100");
+  expect_only_fault(with(minimal_case(), "/output/fields", {"velocity", "speed"}), "/output/fields/1",
+                    "one of velocity, pressure, wall_shear_stress");
+  expect_only_fault(with(minimal_case(), "/output/fields", {"velocity", "velocity"}), "/output/fields/1",
+                    "found the text \"velocity\" again");
+  expect_only_fault(with(minimal_case(), "/probes", {{{"name", "a b"}, {"from", {0, 0}}}}), "/probes/0/name",
+                    "found the text \"a b\"; allowed is a text of at most 64 letters, digits, _ and -");
+  expect_only_fault(with(minimal_case(), "/probes", {{{"name", "a"}, {"from", {0, "0"}}}}),
+                    "/probes/0/from/1", "allowed is a number");
+  expect_only_fault(with(bifurcation_case(), "/vessel/branches",
+                         {{{"length", 40e-6}, {"diameter", 0}}, {{"length", 40e-6}, {"diameter", 10e-6}}}),
+                    "/vessel/branches/0/diameter", "greater than 0");
+  expect_only_fault(with(bifurcation_case(), "/vessel/branches", json::array({1})), "/vessel/branches",
+                    "an object, or a list of two of these");
+}
+
 TEST(CaseReader, BoundsTheNumberOfThings) {
+  expect_only_fault(with(minimal_case(), "/probes", json(33, json::object())), "/probes", "at most 32");
+  expect_only_fault(with(minimal_case(), "/inflow/waveform", json(10'001, {0, 1})), "/inflow/waveform",
+                    "at most 10000");
   expect_only_fault(with(minimal_case(), "/thrombi", json(65, json::object())), "/thrombi", "at most 64");
   expect_only_fault(with(minimal_case(), "/cells", json(65, json::object())), "/cells", "found a list of 65");
   json effects;
@@ -170,11 +234,9 @@ TEST(CaseReader, NamesWhatIsMissing) {
 TEST(CaseReader, RefusesUnknownKeysAndSaysWhatIsKnown) {
   json document = minimal_case();
   document["vessel"]["lenght"] = 1;
-  expect_only_fault(document, "/vessel/lenght", "did you mean \"length\"? allowed here: shape, ends, length");
+  expect_only_fault(document, "/vessel/lenght", "did you mean \"length\"? allowed here: shape, length");
   expect_only_fault(with(minimal_case(), "/a~1b", 1), "/a~1b", "unknown key; allowed here: version, name");
-  expect_only_fault(with(minimal_case(), "/body_acceleration", {1, 0}), "/body_acceleration", "unknown key;");
-  expect_only_fault(with(minimal_case(), "/inflow/waveform", json::array()), "/inflow/waveform",
-                    "unknown key");
+  expect_only_fault(with(minimal_case(), "/inflow/ramp", json::array()), "/inflow/ramp", "unknown key;");
   expect_only_fault(with(published_case(), "/cells/0/Angle", 1), "/cells/0/Angle", "did you mean \"angle\"?");
 }
 

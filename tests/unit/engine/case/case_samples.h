@@ -36,6 +36,46 @@ inline nlohmann::json published_case() {
   return document;
 }
 
+/// `minimal_case` in another vessel.
+inline nlohmann::json case_in(const nlohmann::json& vessel) {
+  nlohmann::json document = minimal_case();
+  document["vessel"] = vessel;
+  return document;
+}
+
+inline nlohmann::json periodic_case() {
+  return case_in({{"length", 20e-6}, {"diameter", 10e-6}, {"ends", "periodic"}});
+}
+
+/// The study's section 3.3: a trunk and two branches alike.
+inline nlohmann::json bifurcation_case() {
+  return case_in({{"shape", "bifurcation"},
+                  {"trunk", {{"length", 80e-6}, {"diameter", 20e-6}}},
+                  {"branches", {{"length", 40e-6}, {"diameter", 10e-6}}}});
+}
+
+inline nlohmann::json box_case() {
+  return case_in({{"shape", "box"}, {"width", 30e-6}, {"height", 20e-6}});
+}
+
+inline nlohmann::json vortex_case() {
+  nlohmann::json document = box_case();
+  document["vessel"]["ends"] = "periodic";
+  document["initial"] = {{"flow", "taylor_green"}, {"velocity", 0.01}};
+  return document;
+}
+
+inline nlohmann::json paper_case() {
+  nlohmann::json document = minimal_case();
+  document["numerics"] = {{"preset", "paper"}};
+  return document;
+}
+
+/// One case of every kind that takes keys of its own.
+inline std::vector<nlohmann::json> cases_of_every_kind() {
+  return {published_case(), periodic_case(), bifurcation_case(), box_case(), vortex_case(), paper_case()};
+}
+
 /// The faults of a case given as text or as a document; none if it reads.
 template <typename Input>
 std::vector<Fault> faults_of(const Input& input) {
