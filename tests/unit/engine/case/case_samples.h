@@ -107,10 +107,15 @@ inline nlohmann::json with(nlohmann::json base, const std::string& pointer, cons
   return base;
 }
 
+/// The path of the repository, with a / at its end.
+inline std::string repository_root() {
+  const std::string here = __FILE__;
+  return here.substr(0, here.rfind("tests/unit/engine/case"));
+}
+
 /// A file of the repository, by its path from the root.
 inline std::string repository_file(const std::string& path) {
-  const std::string here = __FILE__;
-  std::ifstream file(here.substr(0, here.rfind("tests/unit/engine/case")) + path);
+  std::ifstream file(repository_root() + path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
