@@ -3,7 +3,7 @@
 
 usage: docs/figures/outlines.py ARCHIVE.h5 OUT.svg [COUNT]
 
-Needs python3-h5py alone. Lengths in the picture are micrometres.
+Needs python3-h5py alone; vessels.py draws the vessel. Lengths in the picture are micrometres.
 """
 import json
 import sys
@@ -11,22 +11,10 @@ import sys
 import h5py
 import numpy as np
 
+from vessels import vessel_svg
+
 MARGIN = 3.0
 PIXELS_PER_MICROMETRE = 10
-
-
-def vessel_svg(case):
-    length = 1e6 * case["vessel"]["length"]
-    height = 1e6 * case["vessel"]["diameter"]
-    parts = [f'<rect width="{length:g}" height="{height:g}" fill="#fbf3df"/>']
-    for thrombus in case.get("thrombi", []):
-        x, r = 1e6 * thrombus["x"], 1e6 * thrombus["radius"]
-        y, sweep = (0, 0) if thrombus["wall"] == "lower" else (height, 1)
-        arc = f"M{x - r:g} {y:g} A{r:g} {r:g} 0 0 {sweep} {x + r:g} {y:g} Z"
-        parts.append(f'<path d="{arc}" fill="#b08968"/>')
-    for y in (0, height):
-        parts.append(f'<line x2="{length:g}" y1="{y:g}" y2="{y:g}" stroke="#5c4a3d" stroke-width="0.25"/>')
-    return length, height, parts
 
 
 def outline_svg(nodes, shade):
@@ -37,7 +25,8 @@ def outline_svg(nodes, shade):
 
 def draw(archive, count):
     case = json.loads(archive["parameters/case_resolved"].asstr()[()])
-    length, height, parts = vessel_svg(case)
+    (x0, y0, x1, y1), parts = vessel_svg(case)
+    height = y1 - y0
     marks = []
     for name in sorted(archive.get("outlines", {})):
         outline = archive["outlines"][name]
@@ -48,20 +37,23 @@ def draw(archive, count):
             parts.append(outline_svg(nodes, 0.15 + 0.35 * time / times[-1]))
             marks.append((1e6 * (nodes[:, 0].min() + nodes[:, 0].max()) / 2, 1e3 * times[frame]))
     notes = [f'<text x="{x:.2f}" y="{height + 2:g}" text-anchor="middle">{ms:.1f}</text>' for x, ms in marks]
-    notes.append(f'<text x="{length:g}" y="{height + 2:g}" text-anchor="end">ms</text>')
-    arrow = f"M1 {height / 2:g} h4 m-1.2 -0.7 l1.2 0.7 l-1.2 0.7"
-    notes.append(f'<path d="{arrow}" fill="none" stroke="#5c4a3d" stroke-width="0.25"/>')
-    notes.append(f'<text x="3" y="{height / 2 - 1:g}" text-anchor="middle">flow</text>')
+    notes.append(f'<text x="{x1:g}" y="{height + 2:g}" text-anchor="end">ms</text>')
+    if case["vessel"].get("ends", "open") == "open" and case["vessel"].get("shape") != "box":
+        trunk = case["vessel"].get("trunk", case["vessel"])
+        axis = y1 - 1e6 * trunk["diameter"] / 2
+        arrow = f"M1 {axis:g} h4 m-1.2 -0.7 l1.2 0.7 l-1.2 0.7"
+        notes.append(f'<path d="{arrow}" fill="none" stroke="#5c4a3d" stroke-width="0.25"/>')
+        notes.append(f'<text x="3" y="{axis - 1:g}" text-anchor="middle">flow</text>')
     notes.append('<path d="M0 -0.9 v-0.6 h10 v0.6" fill="none" stroke="#333333" stroke-width="0.15"/>')
     notes.append('<text x="10.6" y="-0.9">10 µm</text>')
-    width, tall = length + 2 * MARGIN, height + 2 * MARGIN
+    width, tall = x1 - x0 + 2 * MARGIN, height + 2 * MARGIN
     # The picture's y runs downwards, the scene's upwards.
     return "\n".join(
         [
             f'<svg xmlns="http://www.w3.org/2000/svg" width="{PIXELS_PER_MICROMETRE * width:g}" '
-            f'viewBox="{-MARGIN:g} {-MARGIN:g} {width:g} {tall:g}">',
-            f'<rect x="{-MARGIN:g}" y="{-MARGIN:g}" width="{width:g}" height="{tall:g}" fill="#ffffff"/>',
-            f'<g transform="translate(0 {height:g}) scale(1 -1)">',
+            f'viewBox="{x0 - MARGIN:g} {-MARGIN:g} {width:g} {tall:g}">',
+            f'<rect x="{x0 - MARGIN:g}" y="{-MARGIN:g}" width="{width:g}" height="{tall:g}" fill="#ffffff"/>',
+            f'<g transform="translate(0 {y1:g}) scale(1 -1)">',
             *parts,
             '</g>',
             '<g font-family="sans-serif" font-size="1.5" fill="#333333">',

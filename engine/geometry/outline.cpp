@@ -13,7 +13,7 @@ WallDistance Outline::distance(double x, double y) const {
   };
   for (const HalfPlane& plane : vessel_.planes) take(plane.distance(x, y));
   for (const Wedge& wedge : vessel_.wedges) take(wedge.distance(x, y));
-  for (const Bump& bump : vessel_.bumps) take(distance_to(bump, vessel_.period_x, x, y));
+  for (const Bump& bump : vessel_.bumps) take_if_nearer(bump, vessel_.period_x, x, y, nearest);
   return nearest;
 }
 

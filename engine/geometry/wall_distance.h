@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/geometry/shapes.h"
@@ -39,20 +38,24 @@ struct Wedge {
     if (to_before.value <= 0 && to_after.value <= 0) {
       return to_before.value > to_after.value ? to_before : to_after;
     }
-    const double r = std::hypot(dx, dy);
+    const double r = std::sqrt(dx * dx + dy * dy);
     return {r, dx / r, dy / r};
   }
 };
 
 /// What lies behind a semicircle and the wall it stands on: the whole disc, its other half is behind the
-/// wall. With `period` above 0 it repeats along x.
-inline WallDistance distance_to(const Bump& bump, double period, double x, double y) {
+/// wall. With `period` above 0 it repeats along x. Takes its distance if that is less than the nearest so
+/// far; most thrombi are far away, which is seen without a root.
+inline void take_if_nearer(const Bump& bump, double period, double x, double y, WallDistance& nearest) {
   double dx = x - bump.centre[0];
   if (period > 0) dx -= period * std::round(dx / period);
   const double dy = y - bump.centre[1];
-  const double r = std::hypot(dx, dy);
+  const double r2 = dx * dx + dy * dy;
+  const double reach = nearest.value + bump.radius;
+  if (reach <= 0 || r2 >= reach * reach) return;
+  const double r = std::sqrt(r2);
   // In the very centre every way out is as long.
-  return r > 0 ? WallDistance{r - bump.radius, dx / r, dy / r} : WallDistance{-bump.radius, 0, 1};
+  nearest = r > 0 ? WallDistance{r - bump.radius, dx / r, dy / r} : WallDistance{-bump.radius, 0, 1};
 }
 
 }  // namespace rouleau::geometry
