@@ -47,14 +47,21 @@ void check_drive(const json& given, const Vessel& vessel, Faults& faults) {
 
 void check_contents(const Case& scene, Faults& faults) {
   const Vessel& vessel = scene.vessel;
-  if (vessel.ends != Ends::periodic) return;
-  if (!scene.cells.empty()) {
+  if (vessel.ends == Ends::periodic && !scene.cells.empty()) {
     faults.add(
         "/cells",
-        kind_of(vessel) + " takes no cells yet: none is followed from one end to the other; open the ends");
+        kind_of(vessel) + " takes no cells yet: none is followed from one end to the other; leave them out");
   }
-  if (vessel.shape == Shape::box && !scene.thrombi.empty()) {
+  if (vessel.ends == Ends::periodic && vessel.shape == Shape::box && !scene.thrombi.empty()) {
     faults.add("/thrombi", kind_of(vessel) + " has no walls for thrombi to sit on; leave them out");
+  }
+  for (std::size_t k = 0; k < scene.thrombi.size(); ++k) {
+    const bool lower = scene.thrombi[k].wall == Wall::lower;
+    const double speed = lower ? vessel.wall_velocity.lower : vessel.wall_velocity.upper;
+    if (speed == 0 || !faults.clean(pointer_to("/thrombi", k))) continue;
+    faults.add(pointer_to("/thrombi", k), std::string("sits on the ") + (lower ? "lower" : "upper") +
+                                              " wall, which moves at " + rounded(speed, "m/s") +
+                                              "; a thrombus needs a wall at rest");
   }
 }
 

@@ -48,10 +48,12 @@ std::vector<std::string> places_refused(const json& document) {
   return {};
 }
 
-void expect_agreement(const json& document) {
+/// Whether both accept it, after a failure if they differ.
+bool expect_agreement(const json& document) {
   const std::vector<std::string> refused = places_refused(document);
-  EXPECT_EQ(schema_accepts(document), refused.empty())
-      << document << (refused.empty() ? "" : "\n" + refused[0]);
+  const bool accepted = schema_accepts(document);
+  EXPECT_EQ(accepted, refused.empty()) << document << (refused.empty() ? "" : "\n" + refused[0]);
+  return accepted;
 }
 
 /// Resolved cases that say every key of the table among them.
@@ -91,9 +93,7 @@ TEST(CaseSchema, RefusesTheSameTypesAsTheReaderForEveryKey) {
   int refused = 0;
   for_each_key([&](const json& document, const Key&, const std::string& place) {
     for (const json& value : wrong) {
-      const json changed = with(document, place, value);
-      expect_agreement(changed);
-      if (!schema_accepts(changed)) ++refused;
+      if (!expect_agreement(with(document, place, value))) ++refused;
     }
   });
   EXPECT_GT(refused, 2000);
@@ -117,10 +117,8 @@ TEST(CaseSchema, HasTheSameBoundsAsTheReaderForEveryNumber) {
       for (const double value : {least - 1, least, most, most + 1}) values.emplace_back(std::lround(value));
     }
     for (const json& value : values) {
-      const json changed = with(document, place, value);
-      expect_agreement(changed);
       ++tried;
-      if (!schema_accepts(changed)) ++refused;
+      if (!expect_agreement(with(document, place, value))) ++refused;
     }
   });
   EXPECT_GE(tried, 900);
@@ -135,23 +133,24 @@ TEST(CaseSchema, RequiresTheSameKeysAsTheReader) {
     json& parent = changed[pointer.parent_pointer()];
     if (!parent.is_object()) return;
     parent.erase(key.name);
-    expect_agreement(changed);
+    const bool accepted = expect_agreement(changed);
     if (place == "/vessel/shape") return;
-    EXPECT_EQ(schema_accepts(changed), !key.required) << place;
+    EXPECT_EQ(accepted, !key.required) << place;
     if (key.required) ++required;
   });
   EXPECT_GE(required, 30);
 }
 
 TEST(CaseSchema, AllowsTheSameMembersInEveryShapeAsTheReader) {
-  const json taken = full_cases()[2]["vessel"];
-  for (const json& document : full_cases()) {
-    for (const json& other : full_cases()) {
+  const json trunk = {{"length", 80e-6}, {"diameter", 20e-6}};
+  const std::vector<json> documents = full_cases();
+  for (const json& document : documents) {
+    for (const json& other : documents) {
       for (const auto& [name, value] : other["vessel"].items()) {
         expect_agreement(with(document, "/vessel/" + name, value));
       }
     }
-    EXPECT_EQ(schema_accepts(with(document, "/vessel/trunk", taken["trunk"])),
+    EXPECT_EQ(schema_accepts(with(document, "/vessel/trunk", trunk)),
               document["vessel"]["shape"] == "bifurcation");
   }
   for (const json& shape : {json("straight"), json("box"), json("bifurcation"), json("tube"), json(1)}) {
@@ -165,9 +164,7 @@ TEST(CaseSchema, AllowsNoOtherKeyAnywhere) {
   for (const json& document : full_cases()) {
     for (const char* place : {"/x", "/vessel/x", "/plasma/x", "/initial/x", "/numerics/x", "/output/x",
                               "/probes/0/x", "/effects/Bad", "/effects/_x", "/effects/a__b", "/effects/1"}) {
-      const json changed = with(document, place, "on");
-      EXPECT_FALSE(schema_accepts(changed)) << place;
-      expect_agreement(changed);
+      EXPECT_FALSE(expect_agreement(with(document, place, "on"))) << place;
     }
     expect_agreement(with(document, "/effects/a_b2", "on"));
   }

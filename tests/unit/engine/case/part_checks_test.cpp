@@ -88,6 +88,10 @@ TEST(PartChecks, ThrombiSitOnWalls) {
   expect_sound(with(periodic_case(), "/thrombi", thrombi));
   expect_sound(with(box_case(), "/thrombi", thrombi));
   expect_only_fault(with(periodic_box(), "/thrombi", thrombi), "/thrombi", "no walls");
+  const json sliding = with(periodic_case(), "/thrombi", thrombi);
+  expect_sound(with(sliding, "/vessel/wall_velocity/lower", 0.01));
+  expect_only_fault(with(sliding, "/vessel/wall_velocity/upper", 0.01), "/thrombi/0",
+                    "sits on the upper wall, which moves at 0.01 m/s");
 }
 
 TEST(PartChecks, TheInitialFlowSuitsTheVessel) {

@@ -53,6 +53,7 @@ class RandomCases {
     maybe(document, "/vessel/wall_velocity/upper", between(-1, 1));
     maybe(document, "/body_acceleration", {between(-1e3, 1e3), between(-1e3, 1e3)});
     maybe(document, "/initial/flow", pick({"auto", "rest", "developed"}));
+    if (document["vessel"].contains("wall_velocity")) return document;
     for (int k = whole(3); k > 0; --k) document["thrombi"].push_back(thrombus(20e-6 * k));
     return document;
   }
@@ -85,8 +86,9 @@ class RandomCases {
     for (const char* wall : {"lower", "upper", "left", "right"}) {
       maybe(document, (std::string("/vessel/wall_velocity/") + wall).c_str(), between(-1, 1));
     }
-    for (int k = whole(2); k > 0; --k) document["thrombi"].push_back(thrombus(8e-6));
     for (int k = whole(2); k > 0; --k) document["cells"].push_back(cell(22e-6, 10e-6));
+    if (document["vessel"].contains("wall_velocity")) return document;
+    for (int k = whole(2); k > 0; --k) document["thrombi"].push_back(thrombus(8e-6));
     return document;
   }
 

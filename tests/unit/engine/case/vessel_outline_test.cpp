@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/geometry/outline.h"
+
 namespace rouleau::testing {
 namespace {
 
@@ -71,17 +73,23 @@ TEST(VesselOutline, OfAnEvenBifurcationIsSymmetric) {
   EXPECT_FALSE(outline.contains({70, -1}));
 }
 
-TEST(VesselOutline, OfABifurcationHasTheAreaOfItsParts) {
-  // Two parallelograms of the trunk's half width each and two branches whose outer walls start in the corner:
-  // the trunk 80 by 20, each branch from its inner wall's foot, and the wedge between trunk and feet.
-  const Vessel vessel = bifurcation({40, 10}, {40, 10}, 30);
-  const double c = std::cos(std::numbers::pi / 6), s = 0.5;
-  const Point apex = apex_of(vessel);
-  const double along = (apex[0] - 80) * c - apex[1] * s;
-  // Corner, apex and the middle of the trunk's end make a triangle; outer wall, apex and foot another.
-  const double middle = (apex[0] - 80) * 10 / 2;
-  const double branch = 10 * (40 - along) + 10 * along / 2;
-  EXPECT_NEAR(outline_of(vessel).area(), 80 * 20 + 2 * (middle + branch), 1e-9);
+TEST(VesselOutline, IsTheVesselThatIsComputed) {
+  for (const double half_angle : {12.0, 30.0, 55.0}) {
+    for (const double upper : {6.0, 12.0}) {
+      Case scene;
+      scene.vessel = bifurcation({60, 12}, {70, upper}, half_angle);
+      const geometry::Outline computed(scene, 1, 1);
+      const VesselOutline outline = outline_of(scene.vessel);
+      EXPECT_NEAR(outline.area(), computed.area(), 1e-9 * computed.area());
+      for (const VesselSide& side : outline.sides) {
+        EXPECT_NEAR(computed.distance(side.from[0], side.from[1]).value, 0, 1e-9) << side.name;
+        const bool open = side.name.ends_with("let");
+        const double middle =
+            computed.distance((side.from[0] + side.to[0]) / 2, (side.from[1] + side.to[1]) / 2).value;
+        EXPECT_EQ(std::abs(middle) > 1e-9, open) << side.name;
+      }
+    }
+  }
 }
 
 TEST(VesselOutline, NamesWhatIsOpen) {
