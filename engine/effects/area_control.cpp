@@ -29,7 +29,9 @@ class AreaControl : public Effect {
 
 const EffectKind area_control{
     "area_control", Stage::pressure, true,
-    [](const Case& scene) { return needs_cells(scene, "a cell keeps its volume"); },
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, needs_cells(scene, "a cell keeps its volume"));
+    },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<AreaControl>(); }};
 
 }  // namespace rouleau::effects

@@ -2,19 +2,28 @@
 #include "engine/effects/area_control.h"
 #include "engine/effects/bending.h"
 #include "engine/effects/contact.h"
+#include "engine/effects/density_source_relaxation.h"
 #include "engine/effects/effect.h"
+#include "engine/effects/gradient_from_least_pressure.h"
 #include "engine/effects/inflow.h"
 #include "engine/effects/inflow_flux.h"
 #include "engine/effects/membrane_clearance.h"
 #include "engine/effects/membrane_coupling.h"
 #include "engine/effects/membrane_sides.h"
+#include "engine/effects/number_density.h"
 #include "engine/effects/outflow.h"
+#include "engine/effects/particle_motion.h"
+#include "engine/effects/pressure_coarse_space.h"
+#include "engine/effects/pressure_density.h"
 #include "engine/effects/pressure_rotational.h"
 #include "engine/effects/shifting.h"
 #include "engine/effects/stretch.h"
 #include "engine/effects/transport.h"
+#include "engine/effects/velocity_correction.h"
 #include "engine/effects/viscosity_implicit.h"
+#include "engine/effects/viscosity_substeps.h"
 #include "engine/effects/wall_clearance.h"
+#include "engine/effects/wall_end_exclusion.h"
 #include "engine/effects/watch.h"
 
 namespace rouleau::effects {
@@ -28,13 +37,22 @@ const std::vector<const EffectKind*>& catalogue() {
       &contact,
       &membrane_coupling,
       &viscosity_implicit,
+      &viscosity_substeps,
       &area_control,
       &inflow_flux,
       &pressure_rotational,
+      &number_density,
+      &density_source_relaxation,
+      &wall_end_exclusion,
+      &pressure_coarse_space,
+      &pressure_density,
+      &gradient_from_least_pressure,
+      &velocity_correction,
       &advection,
       &shifting,
       &membrane_clearance,
       &transport,
+      &particle_motion,
       &wall_clearance,
       &membrane_sides,
       &watch,
@@ -67,6 +85,16 @@ Need always(std::string reason) {
 Need needs_cells(const Case& scene, std::string reason) {
   if (scene.cells.empty()) return {false, "the scene has no cells", "/cells"};
   return {true, std::move(reason), "/cells"};
+}
+
+Need of_published_scheme(const Case& scene, std::string reason) {
+  if (scene.numerics.preset == Preset::paper) return {true, std::move(reason), "/numerics/preset"};
+  return {false, "only the published scheme, preset paper, has it", "/numerics/preset"};
+}
+
+Need of_accurate_scheme(const Case& scene, Need need) {
+  if (scene.numerics.preset != Preset::paper) return need;
+  return {false, "the preset is the published scheme, which does without", "/numerics/preset"};
 }
 
 }  // namespace rouleau::effects

@@ -27,6 +27,7 @@ struct Need {
   bool called_for = false;
   std::string reason;
   std::string pointer;
+  bool on_request = false;  ///< not called for, but the scene can carry it
 };
 
 /// What the catalogue knows of an effect. It stands beside the effect's code.
@@ -44,5 +45,9 @@ const std::vector<const EffectKind*>& catalogue();
 /// The usual answers of `EffectKind::need`.
 Need always(std::string reason);
 Need needs_cells(const Case& scene, std::string reason);
+/// Called for by the published scheme (preset `paper`) alone.
+Need of_published_scheme(const Case& scene, std::string reason);
+/// `need`, except in the published scheme, which does without.
+Need of_accurate_scheme(const Case& scene, Need need);
 
 }  // namespace rouleau::effects

@@ -40,8 +40,9 @@ class InflowFlux : public Effect {
 
 const EffectKind inflow_flux{
     "inflow_flux", Stage::pressure, true,
-    [](const Case&) {
-      return Need{true, "the flux given at the inlet is kept exactly", "/inflow/velocity"};
+    [](const Case& scene) {
+      return of_accurate_scheme(scene,
+                                {true, "the flux given at the inlet is kept exactly", "/inflow/velocity"});
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<InflowFlux>(); }};
 

@@ -148,8 +148,8 @@ class PressureRotational : public Effect {
 
 const EffectKind pressure_rotational{
     "pressure_rotational", Stage::pressure, false,
-    [](const Case&) {
-      return Need{true, "plasma is incompressible", "/plasma"};
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, {true, "plasma is incompressible", "/plasma"});
     },
     [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<PressureRotational>(state); }};
 

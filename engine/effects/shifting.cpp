@@ -41,8 +41,9 @@ class Shifting : public Effect {
 
 }  // namespace
 
-const EffectKind shifting{"shifting", Stage::motion, true,
-                          [](const Case&) { return always("particles must stay evenly spread"); },
-                          [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Shifting>(); }};
+const EffectKind shifting{
+    "shifting", Stage::motion, true,
+    [](const Case& scene) { return of_accurate_scheme(scene, always("particles must stay evenly spread")); },
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Shifting>(); }};
 
 }  // namespace rouleau::effects

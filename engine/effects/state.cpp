@@ -22,8 +22,9 @@ State::State(const Case& scene_given, const Scales& scales_given, double spacing
       spacing(spacing_given),
       viscosity(scene.plasma.kinematic_viscosity / scales.viscosity()),
       radius(scene.numerics.kernel_radius * spacing),
-      near_radius(2.1 * spacing),
-      neighbours(extent_of(outline, spacing), radius, near_radius) {}
+      near_radius(scene.numerics.preset == Preset::paper ? radius : 2.1 * spacing),
+      neighbours(extent_of(outline, spacing), radius, near_radius),
+      projection(neighbours, spacing) {}
 
 cells::Ring State::ring(const CellState& cell) const {
   const auto nodes = static_cast<std::size_t>(cell.nodes);

@@ -7,6 +7,7 @@
 #include "engine/cells/material.h"
 #include "engine/cells/ring.h"
 #include "engine/cells/stiffness.h"
+#include "engine/effects/density_projection.h"
 #include "engine/geometry/outline.h"
 #include "engine/operators/cross_section.h"
 #include "engine/operators/least_squares.h"
@@ -59,7 +60,7 @@ struct State {
   double spacing;      ///< d0
   double viscosity;    ///< kinematic
   double radius;       ///< of the least-squares fits
-  double near_radius;  ///< of the pressure equation and of shifting: 2.1 d0
+  double near_radius;  ///< of the pressure equation and of shifting: 2.1 d0; the kernel's in preset paper
 
   double time = 0;
   long step = 0;
@@ -69,6 +70,7 @@ struct State {
   particles::ParticleSet particles;
   particles::NeighbourList neighbours;
   operators::LeastSquares operators;
+  DensityProjection projection;  ///< of the published scheme
   std::vector<CellState> cells;
   MembraneLoad load;
 

@@ -59,8 +59,9 @@ class Transport : public Effect {
 
 }  // namespace
 
-const EffectKind transport{"transport", Stage::motion, false,
-                           [](const Case&) { return always("velocity and pressure are fields"); },
-                           [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Transport>(); }};
+const EffectKind transport{
+    "transport", Stage::motion, false,
+    [](const Case& scene) { return of_accurate_scheme(scene, always("velocity and pressure are fields")); },
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Transport>(); }};
 
 }  // namespace rouleau::effects

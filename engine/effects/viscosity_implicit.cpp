@@ -147,8 +147,8 @@ class ViscosityImplicit : public Effect {
 
 const EffectKind viscosity_implicit{
     "viscosity_implicit", Stage::viscosity, false,
-    [](const Case&) {
-      return Need{true, "plasma is viscous", "/plasma/kinematic_viscosity"};
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, {true, "plasma is viscous", "/plasma/kinematic_viscosity"});
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityImplicit>(); }};
 

@@ -63,7 +63,7 @@ void NeighbourList::append_ghosts(float x, float y) {
   ghost_begin_.push_back(static_cast<int>(ghost.size()));
 }
 
-void NeighbourList::build(const ParticleSet& particles) {
+void NeighbourList::build(const ParticleSet& particles, int rows) {
   carriers_.file(particles.x, particles.y, 0, particles.velocity_end());
   ghosts_.file(particles.x, particles.y, particles.velocity_end(), particles.size());
   begin_.assign(1, 0);
@@ -74,7 +74,7 @@ void NeighbourList::build(const ParticleSet& particles) {
   ghost.clear();
   longest_row_ = 0;
   int collected = -1;
-  for (int i = 0; i < particles.active_end(); ++i) {
+  for (int i = 0; i < rows; ++i) {
     // Sorted particles come bin by bin, so what is around a bin is mostly found once.
     const int bin = carriers_.bin(particles.x[i], particles.y[i]);
     if (bin != collected) {

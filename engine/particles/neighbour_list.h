@@ -7,10 +7,10 @@
 
 namespace rouleau::particles {
 
-/// Neighbours of every active particle (membrane and fluid) as compressed rows, with the relative position
-/// of each pair. In a row the pairs within `near_radius` come first, so the short-ranged operators use a
-/// prefix of it. Ghosts stand in rows of their own, and only the near ones. In a periodic direction a pair
-/// is that of the nearest images, and particles may be outside [0, period).
+/// Neighbours of every active particle (membrane and fluid; of more on request) as compressed rows, with the
+/// relative position of each pair. In a row the pairs within `near_radius` come first, so the short-ranged
+/// operators use a prefix of it. Ghosts stand in rows of their own, and only the near ones. In a periodic
+/// direction a pair is that of the nearest images, and particles may be outside [0, period).
 class NeighbourList {
  public:
   /// @param period_x, period_y  0: not periodic; else at least twice the radius
@@ -18,7 +18,9 @@ class NeighbourList {
                 double period_y = 0);
 
   /// Needs sorted particles (`sort_particles`).
-  void build(const ParticleSet& particles);
+  void build(const ParticleSet& particles) { build(particles, particles.active_end()); }
+  /// The same for the first `rows` particles.
+  void build(const ParticleSet& particles, int rows);
 
   int rows() const { return static_cast<int>(begin_.size()) - 1; }
   int begin(int i) const { return begin_[i]; }

@@ -41,6 +41,10 @@ PlannedEffect plan_effect(const EffectKind& kind, const Case& scene) {
     planned.on = false;
     planned.reason = "switched off by the case";
     planned.pointer = "/effects/" + planned.name;
+  } else if (need.on_request && wish_for(scene, kind) == Switch::on) {
+    planned.on = true;
+    planned.reason = "switched on by the case";
+    planned.pointer = "/effects/" + planned.name;
   }
   return planned;
 }
@@ -68,7 +72,7 @@ void check_effects(const Case& scene, std::vector<Fault>& faults) {
       continue;
     }
     const effects::Need need = (*kind)->need(scene);
-    if (wish == Switch::on && !need.called_for) {
+    if (wish == Switch::on && !need.called_for && !need.on_request) {
       faults.push_back({pointer, "\"on\", but " + need.reason + "; use \"auto\" or \"off\""});
     } else if (wish == Switch::off && need.called_for && !(*kind)->optional) {
       faults.push_back({pointer, "\"off\", but " + need.reason + ": this effect cannot be left out"});

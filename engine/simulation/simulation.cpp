@@ -59,7 +59,7 @@ void Simulation::build_operators() {
   auto& s = state_;
   sort_particles(s.particles, s.spacing);
   s.neighbours.build(s.particles);
-  s.operators.build(s.particles, s.neighbours);
+  if (s.scene.numerics.preset != Preset::paper) s.operators.build(s.particles, s.neighbours);
   const auto active = static_cast<std::size_t>(s.particles.active_end());
   for (auto* field :
        {&s.ax, &s.ay, &s.source, &s.divergence, &s.pressure_gx, &s.pressure_gy, &s.shift_x, &s.shift_y}) {
