@@ -10,6 +10,7 @@
 
 #include "engine/case/case_error.h"
 #include "engine/case/case_json.h"
+#include "engine/case/presets.h"
 #include "engine/effects/effect.h"
 #include "engine/simulation/simulation.h"
 #include "tests/unit/engine/simulation/scenes.h"
@@ -77,6 +78,72 @@ TEST(Plan, WhatASceneNeedsCannotBeLeftOut) {
     const bool needless = !kind->need(scene).called_for;
     EXPECT_EQ(pointers_of_faults(scene).empty(), kind->optional || needless) << kind->name;
   }
+}
+
+Case published_vessel() {
+  Case scene = coarse_vessel();
+  scene.numerics = preset_numerics(Preset::paper);
+  scene.numerics.spacing = 1e-6;
+  return scene;
+}
+
+std::vector<std::string> running(const Plan& plan) {
+  std::vector<std::string> names;
+  for (const PlannedEffect& e : plan.effects) {
+    if (e.on) names.push_back(e.name);
+  }
+  return names;
+}
+
+TEST(Plan, ThePublishedSchemeShowsItsEffectsAndEachChangeToIt) {
+  const Plan plan = make_plan(published_vessel());
+  const auto names = running(plan);
+  EXPECT_THAT(names, testing::IsSupersetOf({"inflow", "outflow", "viscosity_substeps", "number_density",
+                                            "density_source_relaxation", "wall_end_exclusion",
+                                            "pressure_density", "gradient_from_least_pressure",
+                                            "velocity_correction", "advection", "particle_motion", "watch"}));
+  for (const char* accurate : {"viscosity_implicit", "inflow_flux", "pressure_rotational", "shifting",
+                               "transport", "wall_clearance", "pressure_coarse_space"}) {
+    EXPECT_FALSE(effect(plan, accurate).on) << accurate;
+    EXPECT_EQ(effect(plan, accurate).pointer, "/numerics/preset") << accurate;
+  }
+  for (const char* change :
+       {"density_source_relaxation", "wall_end_exclusion", "gradient_from_least_pressure"}) {
+    EXPECT_THAT(effect(plan, change).reason, testing::HasSubstr("change to the published scheme"));
+  }
+  EXPECT_THAT(effect(plan, "viscosity_substeps").reason, testing::HasSubstr("M = 12"));
+}
+
+TEST(Plan, ChangesToThePublishedSchemeCanBeSwitchedOffAndItsCoarseSpaceOn) {
+  Case scene = published_vessel();
+  scene.effects = {{"density_source_relaxation", Switch::off},
+                   {"wall_end_exclusion", Switch::off},
+                   {"gradient_from_least_pressure", Switch::off},
+                   {"pressure_coarse_space", Switch::on}};
+  const Plan plan = make_plan(scene);
+  EXPECT_FALSE(effect(plan, "density_source_relaxation").on);
+  EXPECT_FALSE(effect(plan, "wall_end_exclusion").on);
+  EXPECT_FALSE(effect(plan, "gradient_from_least_pressure").on);
+  EXPECT_TRUE(effect(plan, "pressure_coarse_space").on);
+  EXPECT_EQ(effect(plan, "pressure_coarse_space").pointer, "/effects/pressure_coarse_space");
+}
+
+TEST(Plan, NeitherSchemeCarriesTheOthersEffects) {
+  Case scene = published_vessel();
+  scene.effects = {{"shifting", Switch::on}, {"number_density", Switch::off}};
+  EXPECT_EQ(pointers_of_faults(scene),
+            (std::set<std::string>{"/effects/shifting", "/effects/number_density"}));
+  scene = coarse_vessel();
+  scene.effects = {{"pressure_coarse_space", Switch::on}, {"viscosity_substeps", Switch::on}};
+  EXPECT_EQ(pointers_of_faults(scene),
+            (std::set<std::string>{"/effects/pressure_coarse_space", "/effects/viscosity_substeps"}));
+}
+
+TEST(Plan, ThePublishedSchemeHasNoCellsYet) {
+  Case scene = coarse_vessel_with_cells();
+  scene.numerics = preset_numerics(Preset::paper);
+  scene.numerics.spacing = 1e-6;
+  EXPECT_EQ(pointers_of_faults(scene), (std::set<std::string>{"/cells"}));
 }
 
 TEST(Plan, SpacingFitsTheDiameter) {
