@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/linear/aggregates.h"
@@ -29,7 +30,7 @@ struct DensityProjection {
   std::vector<double> source;      ///< [rows] minus the right-hand side of eq. 7
   std::vector<char> has_pressure;  ///< [rows]
   std::vector<double> base;        ///< [active] what the gradient, eq. 5, takes neighbours' pressures against
-  const linear::Aggregates* aggregates = nullptr;  ///< of the unknowns in their order; none: plain gradients
+  std::optional<linear::Aggregates> aggregates;  ///< of the unknowns in their order; none: plain gradients
 };
 
 }  // namespace rouleau::effects

@@ -20,7 +20,7 @@ class NumberDensity : public Effect {
       projection.source[i] = scale * (projection.density[i] - expected);
     }
     projection.has_pressure.assign(rows, 1);
-    projection.aggregates = nullptr;
+    projection.aggregates.reset();
   }
 
  private:

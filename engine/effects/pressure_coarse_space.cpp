@@ -22,7 +22,7 @@ class PressureCoarseSpace : public Effect {
       x_.push_back(particles.x[i]);
       y_.push_back(particles.y[i]);
     }
-    state.projection.aggregates = &grid_.build(x_, y_);
+    state.projection.aggregates = grid_.build(x_, y_);
   }
 
  private:

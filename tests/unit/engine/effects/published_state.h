@@ -17,7 +17,7 @@ inline State published_state(bool with_outlet = true) {
   scene.numerics = preset_numerics(Preset::paper);
   scene.numerics.spacing = 1e-6;
   State state(scene, scales_of(scene), 0.1);
-  state.dt = 0.1 * state.spacing;
+  state.dt = 9 * state.projection.mps.largest_step(state.viscosity);  // of 12 sub-steps
   for (int a = -4; a < 19; ++a) {
     const double x = (a + 0.5) * state.spacing;
     const Group group = a < 0 ? Group::inlet : a >= 15 && with_outlet ? Group::outlet : Group::fluid;
