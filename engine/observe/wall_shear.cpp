@@ -14,10 +14,12 @@ namespace rouleau::observe {
 namespace {
 
 using geometry::WallPiece;
+using Matrix = Eigen::Matrix4d;
+using Vector = Eigen::Vector4d;
 
 // In spacings: by how much a particle's distance from this piece may differ from that from all walls.
 constexpr double same_wall = 1e-6;
-// Of the normal equations, smallest over largest: below it they do not carry all three terms.
+// Of the normal equations, smallest over largest: below it they do not carry all four terms.
 constexpr double least_pivot = 1e-6;
 
 double length_of(const WallPiece& piece) {
@@ -115,22 +117,22 @@ WallNodes WallShear::nodes() const {
 double WallShear::slope(const effects::State& state, const Node& node,
                         const std::vector<operators::SampledParticle>& near, double reach) const {
   const auto& particles = state.particles;
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  Matrix normal = Matrix::Zero();
+  Vector right = Vector::Zero();
   for (const auto& q : near) {
     const NearWall at = seen_from(node.tx, node.ty, node.radius, q.dx * reach, q.dy * reach);
     const double nearest = state.outline.distance(particles.x[q.index], particles.y[q.index]).value;
     if (std::abs(at.distance - nearest) > same_wall * state.spacing) continue;
     const double n = at.distance / reach, s = at.along / reach;
-    const Eigen::Vector3d basis(n, n * s, n * n);
+    const Vector basis(n, n * s, n * n, n * s * s);
     const double along = particles.u[q.index] * at.tx + particles.v[q.index] * at.ty - node.speed;
     normal += q.weight * basis * basis.transpose();
     right += q.weight * along * basis;
   }
   if (normal(0, 0) <= 0) return std::numeric_limits<double>::quiet_NaN();
   // In units in which the diagonal is 1.
-  const Eigen::Vector3d scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::LDLT<Eigen::Matrix3d> factor(scale.asDiagonal() * normal * scale.asDiagonal());
+  const Vector scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::LDLT<Matrix> factor(scale.asDiagonal() * normal * scale.asDiagonal());
   if (factor.vectorD().minCoeff() < least_pivot) return right(0) / normal(0, 0) / reach;
   return scale(0) * factor.solve(scale.cwiseProduct(right))(0) / reach;
 }

@@ -12,8 +12,9 @@ namespace rouleau::observe {
 /// inlet to the outlets, less the wall's own, and n points into the fluid.
 ///
 /// u_t is fitted by least squares, weight (1 - r/radius)^2, to the particles to which this piece of wall is
-/// the nearest, as n (a + b s + c n) in the distance n from it and the way s along it, so that the fluid
-/// sticks to the wall on an arc as well; a is the slope wanted. Exact for a parabola along a straight wall.
+/// the nearest, as n (a + b s + c n + d s^2) in the distance n from it and the way s along it, so that the
+/// fluid sticks to the wall on an arc as well; a is the slope wanted. Exact for a parabola along a straight
+/// wall. Without d the crest of a bump of four spacings, where the stress peaks, would lose 5 % more.
 class WallShear {
  public:
   /// Without nodes unless `output.fields` names the stress.

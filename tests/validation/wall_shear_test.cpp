@@ -42,12 +42,12 @@ TEST(WallShearStress, OfPoiseuilleFlow) {
   EXPECT_NEAR(stress_in_the_middle(vessel_with_bump(0), 1), 6, 0.005 * 6);
 }
 
-// Stokes flow past a semicircle on the wall, calculated independently of this program. The layer that a bump
-// of four spacings sheds its stress in is about as thick as the fit is wide: there the error is 7.5 %.
+// Stokes flow past a semicircle on the wall, calculated independently of this program. The smallest bump is
+// four spacings high, little more than the radius of the fits: there the error is 2.5 %, elsewhere 0.1 %.
 TEST(WallShearStress, OnTheCrestOfABump) {
-  EXPECT_NEAR(stress_in_the_middle(vessel_with_bump(0.16), 0), 16.851, 0.1 * 16.851);
-  EXPECT_NEAR(stress_in_the_middle(vessel_with_bump(0.32), 0), 19.415, 0.015 * 19.415);
-  EXPECT_NEAR(stress_in_the_middle(vessel_with_bump(0.48), 0), 28.015, 0.015 * 28.015);
+  EXPECT_NEAR(stress_in_the_middle(vessel_with_bump(0.16), 0), 16.851, 0.03 * 16.851);
+  EXPECT_NEAR(stress_in_the_middle(vessel_with_bump(0.32), 0), 19.415, 0.005 * 19.415);
+  EXPECT_NEAR(stress_in_the_middle(vessel_with_bump(0.48), 0), 28.015, 0.005 * 28.015);
 }
 
 }  // namespace
