@@ -51,6 +51,7 @@ Router make_routes(Service& service, const std::filesystem::path& web) {
   add_job(router, service);
   add_series(router, service);
   add_frames(router, service);
+  add_probes(router, service);
   add_archive(router, service);
   add_cases(router);
   add_problems(router);

@@ -17,14 +17,6 @@ namespace rouleau::service {
 
 namespace {
 
-storage::Job find_finished(Service& service, const Call& call) {
-  storage::Job job = find_job(service, call);
-  if (job.state != storage::JobState::succeeded) {
-    throw Problem(problems::not_finished, "the job is " + std::string(storage::to_string(job.state)));
-  }
-  return job;
-}
-
 /// The range asked for. With If-Range it counts only if the client's part is of this very file.
 ByteRange wanted_range(const Call& call, const std::string& etag, std::uint64_t size) {
   if (call.request.method != "GET") return {};

@@ -94,6 +94,14 @@ storage::Job find_job(Service& service, const Call& call) {
   return *job;
 }
 
+storage::Job find_finished(Service& service, const Call& call) {
+  storage::Job job = find_job(service, call);
+  if (job.state != storage::JobState::succeeded) {
+    throw Problem(problems::not_finished, "the job is " + std::string(storage::to_string(job.state)));
+  }
+  return job;
+}
+
 nlohmann::json job_in_full(Service& service, const storage::Job& job) {
   nlohmann::json json = to_json(job, service.queue.live());
   json["plan"] = nlohmann::json::parse(job.plan);

@@ -23,6 +23,7 @@ void add_jobs(Router& router, Service& service);     ///< /v1/jobs
 void add_job(Router& router, Service& service);      ///< /v1/jobs/{id} and what can be done to it
 void add_series(Router& router, Service& service);   ///< /v1/jobs/{id}/series
 void add_frames(Router& router, Service& service);   ///< /v1/jobs/{id}/frames
+void add_probes(Router& router, Service& service);   ///< /v1/jobs/{id}/probes
 void add_archive(Router& router, Service& service);  ///< /v1/jobs/{id}/archive.h5
 void add_cases(Router& router);                      ///< /v1/cases:validate, /v1/schema/case.json
 void add_problems(Router& router);                   ///< /problems/{name}
@@ -32,6 +33,10 @@ void add_health(Router& router, const std::atomic<bool>& draining);  ///< /livez
 /// The job with the id of the route.
 /// @throws Problem 404
 storage::Job find_job(Service& service, const Call& call);
+
+/// The same, once it has succeeded: its archive is there then.
+/// @throws Problem 404, 409 not-finished
+storage::Job find_finished(Service& service, const Call& call);
 
 /// A job with its plan and its resolved case.
 nlohmann::json job_in_full(Service& service, const storage::Job& job);

@@ -55,9 +55,12 @@ std::string describe_summary(const nlohmann::json& summary) {
                                  format_time_left(number(summary, "wall_time")), number(summary, "steps"),
                                  number(summary, "steps_per_second"));
   if (const auto cells = summary.find("cells"); cells != summary.end()) text += describe_cells(*cells);
-  text += fmt::format("conservation: {:.4g} um2 in, {:.4g} um2 out, differing by {:.3f} %\n",
-                      1e12 * number(summary, "volume_in"), 1e12 * number(summary, "volume_out"),
-                      100 * number(summary, "volume_mismatch"));
+  // A vessel without openings has none of these.
+  if (number(summary, "volume_in") != 0 || number(summary, "volume_out") != 0) {
+    text += fmt::format("conservation: {:.4g} um2 in, {:.4g} um2 out, differing by {:.3f} %\n",
+                        1e12 * number(summary, "volume_in"), 1e12 * number(summary, "volume_out"),
+                        100 * number(summary, "volume_mismatch"));
+  }
   if (summary.contains("poiseuille_deviation")) {
     text += fmt::format(
         "deviation from the parabola (eq. 22), last half: {:.4f} % in the mean, {:.4f} % at worst\n",
