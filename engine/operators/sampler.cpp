@@ -97,10 +97,10 @@ void Sampler::file_particles() {
   const int images_x = reach_.period_x > 0 ? 1 : 0, images_y = reach_.period_y > 0 ? 1 : 0;
   for (int i = 0; i < particles_.velocity_end(); ++i) {
     for (int a = -images_x; a <= images_x; ++a) {
-      const double x = particles_.x[i] + a * reach_.period_x;
+      const double x = folded(particles_.x[i], reach_.period_x) + a * reach_.period_x;
       if (!(x > box_.x0 && x < box_.x1)) continue;
       for (int b = -images_y; b <= images_y; ++b) {
-        const double y = particles_.y[i] + b * reach_.period_y;
+        const double y = folded(particles_.y[i], reach_.period_y) + b * reach_.period_y;
         if (y > box_.y0 && y < box_.y1) entries.push_back({row(y) * columns_ + column(x), i, x, y});
       }
     }

@@ -17,6 +17,7 @@ class RecordedRun : public Output {
 
   void begin(const RunHeader& given) override { header = given; }
   void series_row(std::span<const double> row) override { rows.emplace_back(row.begin(), row.end()); }
+  void probe_row(double, std::span<const ProbeValues> row) override { probes.assign(row.begin(), row.end()); }
   void frame(const Frame& frame) override { frames.push_back(frame); }
 
   std::vector<double> column(const std::string& name) const {
@@ -47,6 +48,7 @@ class RecordedRun : public Output {
   RunHeader header;
   RunSummary summary;
   std::vector<std::vector<double>> rows;
+  std::vector<ProbeValues> probes;  ///< their last row
   std::vector<Frame> frames;
 };
 
