@@ -13,6 +13,8 @@ constexpr double contact = 1e-6;
 constexpr double search = 0.25;
 constexpr double shortest = 1e-3;
 constexpr int bisections = 40;
+// In spacings: the published scheme's kernel is too narrow for a quadratic.
+constexpr double least_radius = 3.1;
 
 Point between(const Point& from, const Point& to, double s) {
   return {from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])};
@@ -91,7 +93,8 @@ double total_flux(const particles::ParticleSet& particles,
 }
 
 operators::SamplingReach sampling_reach(const effects::State& state) {
-  return {state.radius, state.outline.period_x(), state.outline.period_y()};
+  return {std::max(state.radius, least_radius * state.spacing), state.outline.period_x(),
+          state.outline.period_y()};
 }
 
 }  // namespace rouleau::observe
