@@ -10,9 +10,13 @@ class Advection : public Effect {
     const auto& particles = state.particles;
     state.next_x = particles.x;
     state.next_y = particles.y;
+    // The velocity half a step ahead, by the change in the last step.
+    const double ahead = state.last_dt > 0 && state.cells.empty() && !is_published(state.scene) ? 0.5 * state.dt / state.last_dt : 0;
+    const int active = particles.active_end();
     for (int i = 0; i < particles.inlet_end(); ++i) {
-      state.next_x[i] += state.dt * particles.u[i];
-      state.next_y[i] += state.dt * particles.v[i];
+      const double half = i < active ? ahead : 0;
+      state.next_x[i] += state.dt * (particles.u[i] + half * particles.du[i]);
+      state.next_y[i] += state.dt * (particles.v[i] + half * particles.dv[i]);
     }
   }
 };

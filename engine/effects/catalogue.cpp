@@ -1,18 +1,22 @@
 #include "engine/effects/advection.h"
 #include "engine/effects/area_control.h"
 #include "engine/effects/bending.h"
+#include "engine/effects/body_force.h"
 #include "engine/effects/contact.h"
 #include "engine/effects/density_source_relaxation.h"
 #include "engine/effects/effect.h"
 #include "engine/effects/gradient_from_least_pressure.h"
 #include "engine/effects/inflow.h"
 #include "engine/effects/inflow_flux.h"
+#include "engine/effects/least_squares.h"
 #include "engine/effects/membrane_clearance.h"
 #include "engine/effects/membrane_coupling.h"
 #include "engine/effects/membrane_sides.h"
+#include "engine/effects/neighbours.h"
 #include "engine/effects/number_density.h"
 #include "engine/effects/outflow.h"
 #include "engine/effects/particle_motion.h"
+#include "engine/effects/periodicity.h"
 #include "engine/effects/pressure_coarse_space.h"
 #include "engine/effects/pressure_density.h"
 #include "engine/effects/pressure_rotational.h"
@@ -29,9 +33,21 @@
 namespace rouleau::effects {
 
 const std::vector<const EffectKind*>& catalogue() {
+  // clang-format off
   static const std::vector<const EffectKind*> kinds = {
+      &advection,
+      &shifting,
+      &membrane_clearance,
+      &transport,
+      &particle_motion,
+      &wall_clearance,
+      &membrane_sides,
       &inflow,
       &outflow,
+      &periodicity,
+      &neighbours,
+      &least_squares,
+      &body_force,
       &stretch,
       &bending,
       &contact,
@@ -48,15 +64,9 @@ const std::vector<const EffectKind*>& catalogue() {
       &pressure_density,
       &gradient_from_least_pressure,
       &velocity_correction,
-      &advection,
-      &shifting,
-      &membrane_clearance,
-      &transport,
-      &particle_motion,
-      &wall_clearance,
-      &membrane_sides,
       &watch,
   };
+  // clang-format on
   return kinds;
 }
 
@@ -64,6 +74,8 @@ std::string_view name_of(Stage stage) {
   switch (stage) {
     case Stage::boundaries:
       return "boundaries";
+    case Stage::operators:
+      return "operators";
     case Stage::forces:
       return "forces";
     case Stage::viscosity:

@@ -10,8 +10,9 @@
 
 namespace rouleau::effects {
 
-/// The stages of a step, in order.
-enum class Stage { boundaries, forces, viscosity, pressure, motion, checks };
+/// The stages of a step, in order. Particles move first, so that at the end of a step position, velocity and
+/// pressure belong to the same instant.
+enum class Stage { motion, boundaries, operators, forces, viscosity, pressure, checks };
 
 std::string_view name_of(Stage stage);
 

@@ -1,5 +1,7 @@
 #include "engine/effects/inflow_flux.h"
 
+#include "engine/case/waveform.h"
+
 namespace rouleau::effects {
 
 namespace {
@@ -16,7 +18,8 @@ class InflowFlux : public Effect {
     const auto& particles = state.particles;
     const double volume = state.spacing * state.spacing;
     const double plane = balance_depth * state.spacing;
-    const double wanted = state.outline.height();
+    const double wanted = state.outline.height() *
+                          waveform_factor(state.scene.inflow, (state.time + state.dt) * state.scales.time());
     double removed = 0;
     layer_.clear();
     for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {
@@ -41,6 +44,7 @@ class InflowFlux : public Effect {
 const EffectKind inflow_flux{
     "inflow_flux", Stage::pressure, true,
     [](const Case& scene) {
+      if (!is_open(scene.vessel)) return Need{false, "the vessel has no inlet", "/vessel/ends"};
       return of_accurate_scheme(scene,
                                 {true, "the flux given at the inlet is kept exactly", "/inflow/velocity"});
     },

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/effects/backward_difference.h"
 #include "engine/error/simulation_error.h"
 #include "engine/linear/sparse_rows.h"
 #include "engine/linear/two_level_cg.h"
@@ -59,11 +60,12 @@ class PressureRotational : public Effect {
     const int n = state.particles.active_end();
     excess_.resize(n);
     right_side_.resize(n);
+    const double step = BackwardDifference(state.dt, state.last_dt).weight * state.dt;
     for (int i = 0; i < n; ++i) {
       const double divergence = state.operators.velocity_gradient(i, state.particles.u.data()).x +
                                 state.operators.velocity_gradient(i, state.particles.v.data()).y;
       excess_[i] = divergence - state.source[i];
-      right_side_[i] = -excess_[i] / state.dt;
+      right_side_[i] = -excess_[i] / step;
     }
   }
 
@@ -116,12 +118,13 @@ class PressureRotational : public Effect {
   void correct(State& state) {
     auto& particles = state.particles;
     const int n = matrix_.rows();
+    const double step = BackwardDifference(state.dt, state.last_dt).weight * state.dt;
     for (int i = 0; i < n; ++i) particles.phi[i] = increment_[i];
     for (int i = n; i < particles.size(); ++i) particles.phi[i] = 0;
     for (int i = 0; i < n; ++i) {
       const operators::Gradient g = state.operators.pressure_gradient(i, particles.phi.data());
-      particles.u[i] -= state.dt * g.x;
-      particles.v[i] -= state.dt * g.y;
+      particles.u[i] -= step * g.x;
+      particles.v[i] -= step * g.y;
       particles.p[i] += particles.phi[i] - state.viscosity * excess_[i];
     }
   }

@@ -8,9 +8,10 @@ namespace {
 
 /// Room for the walls' ghosts and the buffers beyond both ends.
 particles::Extent extent_of(const geometry::Outline& outline, double spacing) {
-  const double margin = 10 * spacing;
-  const geometry::Bounds& b = outline.bounds();
-  return {b.x0 - margin, b.y0 - margin, b.x1 + margin, b.y1 + margin};
+  const geometry::Bounds b = outline.bounds();
+  const double margin_x = outline.period_x() > 0 ? 0 : 10 * spacing;
+  const double margin_y = outline.period_y() > 0 ? 0 : 10 * spacing;
+  return {b.x0 - margin_x, b.y0 - margin_y, b.x1 + margin_x, b.y1 + margin_y};
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ State::State(const Case& scene_given, const Scales& scales_given, double spacing
       viscosity(scene.plasma.kinematic_viscosity / scales.viscosity()),
       radius(scene.numerics.kernel_radius * spacing),
       near_radius(scene.numerics.preset == Preset::paper ? radius : 2.1 * spacing),
-      neighbours(extent_of(outline, spacing), radius, near_radius),
+      neighbours(extent_of(outline, spacing), radius, near_radius, outline.period_x(), outline.period_y()),
       projection(neighbours, spacing) {}
 
 cells::Ring State::ring(const CellState& cell) const {
@@ -31,8 +32,12 @@ cells::Ring State::ring(const CellState& cell) const {
   return {{&particles.x[cell.first_node], nodes}, {&particles.y[cell.first_node], nodes}};
 }
 
+int State::rows_across(double width) const {
+  return static_cast<int>(std::lround(width / spacing)) - 1;
+}
+
 int State::rows() const {
-  return static_cast<int>(std::lround(outline.height() / spacing)) - 1;
+  return rows_across(outline.height());
 }
 
 double State::row_y(int k) const {
@@ -45,12 +50,6 @@ double State::row_offset(int k) const {
 
 operators::SamplingPlane State::plane_at(double x) const {
   return {{x, 0}, {x, outline.height()}, {radius}, 2 * (rows() + 1)};
-}
-
-double State::developed_velocity(double y) const {
-  const double height = outline.height();
-  const double from_axis = 2 * y / height - 1;
-  return 1.5 * (1 - from_axis * from_axis);
 }
 
 }  // namespace rouleau::effects

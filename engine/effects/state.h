@@ -41,6 +41,14 @@ struct MembraneLoad {
   std::vector<cells::Stiffness> stiffness;
 };
 
+/// A row of an inlet's buffer: particles one spacing apart that move along x as one.
+struct Lane {
+  double y = 0;
+  double velocity = 0;  ///< where the waveform's factor is 1
+  double speed = 0;     ///< its present velocity
+  double head = 0;      ///< x of the particle nearest to the inlet plane
+};
+
 /// What happened so far, for the summary.
 struct Counters {
   long wrong_side = 0;
@@ -65,13 +73,15 @@ struct State {
   double time = 0;
   long step = 0;
   double dt = 0;
-  double speed = 0;  ///< the fastest particle's, at the end of the last step
+  double last_dt = 0;  ///< of the step before; 0: there was none
+  double speed = 0;    ///< the fastest particle's, at the end of the last step
 
   particles::ParticleSet particles;
   particles::NeighbourList neighbours;
   operators::LeastSquares operators;
   DensityProjection projection;  ///< of the published scheme
   std::vector<CellState> cells;
+  std::vector<Lane> lanes;
   MembraneLoad load;
 
   // Over the active particles, valid within a step.
@@ -87,6 +97,8 @@ struct State {
   Counters counters;
 
   cells::Ring ring(const CellState& cell) const;
+  /// Particles side by side over a width, those on the walls not counted.
+  int rows_across(double width) const;
   /// Where row k of the particles across the vessel (1 to rows) is, and by how much it is displaced along
   /// x against its neighbours (-0.5 to 0.5 spacings, by the golden ratio), so that no column crosses the
   /// inlet or the outlet at once.
@@ -95,8 +107,8 @@ struct State {
   double row_offset(int k) const;
   /// The plane across the vessel at x, to measure the flow through it.
   operators::SamplingPlane plane_at(double x) const;
-  /// Axial velocity of the developed flow in the free vessel.
-  double developed_velocity(double y) const;
+  /// The developed flow of mean 1, at a fraction of the way across.
+  static double parabola(double fraction) { return 6 * fraction * (1 - fraction); }
 };
 
 }  // namespace rouleau::effects

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/effects/backward_difference.h"
 #include "engine/error/simulation_error.h"
 #include "engine/linear/bicgstab.h"
 
@@ -44,7 +45,8 @@ class ViscosityImplicit : public Effect {
     const float* laplacian = state.operators.laplacian().data();
     const int n = particles.active_end();
     const double dt = state.dt;
-    const double diffusion = dt * state.viscosity;
+    const BackwardDifference in_time(state.dt, state.last_dt);
+    const double diffusion = in_time.weight * dt * state.viscosity;
     weight_.resize(list.j.size());
     inverse_diagonal_.resize(n);
     // Padded to all that a pair can point to.
@@ -77,9 +79,11 @@ class ViscosityImplicit : public Effect {
       for (int k = begin; k < end; ++k) weight[k] = j[k] < n ? scale * laplacian[k] : 0.0F;
       inverse_diagonal_[i] = inverse;
       const operators::Gradient gp = state.operators.pressure_gradient(i, particles.p.data());
-      residual_[2 * i] = inverse * (dt * (state.ax[i] - gp.x) + diffusion * lu + dt * dt * rate_[2 * i]);
-      residual_[2 * i + 1] =
-          inverse * (dt * (state.ay[i] - gp.y) + diffusion * lv + dt * dt * rate_[2 * i + 1]);
+      const double g = in_time.weight, h = in_time.history;
+      residual_[2 * i] = inverse * (g * dt * (state.ax[i] - gp.x) + h * particles.du[i] + diffusion * lu +
+                                    g * dt * dt * rate_[2 * i]);
+      residual_[2 * i + 1] = inverse * (g * dt * (state.ay[i] - gp.y) + h * particles.dv[i] + diffusion * lv +
+                                        g * dt * dt * rate_[2 * i + 1]);
     }
   }
 
@@ -112,7 +116,7 @@ class ViscosityImplicit : public Effect {
     if (state.implicit_forces.empty()) return;
     std::fill(rate_.begin(), rate_.end(), 0.0);
     for (const ImplicitForce* force : state.implicit_forces) force->add_rate(from, rate_.data());
-    const double dt2 = state.dt * state.dt;
+    const double dt2 = BackwardDifference(state.dt, state.last_dt).weight * state.dt * state.dt;
     for (int i = 0; i < n; ++i) {
       out[2 * i] -= dt2 * inverse_diagonal_[i] * rate_[2 * i];
       out[2 * i + 1] -= dt2 * inverse_diagonal_[i] * rate_[2 * i + 1];
@@ -122,8 +126,6 @@ class ViscosityImplicit : public Effect {
   void update(State& state) const {
     auto& particles = state.particles;
     for (int i = 0; i < particles.active_end(); ++i) {
-      particles.du[i] = change_[2 * i];
-      particles.dv[i] = change_[2 * i + 1];
       particles.u[i] += change_[2 * i];
       particles.v[i] += change_[2 * i + 1];
     }

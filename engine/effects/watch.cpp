@@ -3,19 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/case/waveform.h"
 #include "engine/error/simulation_error.h"
 
 namespace rouleau::effects {
 
 namespace {
 
-// No flow of an open vessel is this many times faster than its mean through the narrowest place.
+// No flow is this many times faster than its mean through the narrowest place.
 constexpr double fastest = 30;
 
 class Watch : public Effect {
  public:
   explicit Watch(const State& state)
-      : speed_bound_(fastest * state.outline.height() / state.outline.narrowest()) {}
+      : speed_bound_(fastest * largest_factor(state.scene.inflow) * state.outline.height() /
+                     state.outline.narrowest()) {}
 
   void apply(State& state) override {
     const auto& particles = state.particles;

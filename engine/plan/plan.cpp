@@ -8,6 +8,7 @@
 
 #include "engine/case/case_error.h"
 #include "engine/case/scales.h"
+#include "engine/case/waveform.h"
 #include "engine/effects/effect.h"
 
 namespace rouleau {
@@ -57,6 +58,20 @@ int count_membrane_nodes(const Case& scene, double spacing) {
   return nodes;
 }
 
+/// The nodes on a wall stand for half a spacing of fluid beside it.
+int count_particles(const effects::State& state, const std::vector<geometry::WallNode>& nodes) {
+  double wall = 0;
+  for (const geometry::WallNode& node : nodes) wall += node.length;
+  const double d0 = state.spacing;
+  return static_cast<int>(std::lround(state.outline.area() / (d0 * d0) - wall / (2 * d0)));
+}
+
+/// In own units: of a parabola through the narrowest place, or the unit of velocity itself.
+double fastest_expected(const effects::State& state) {
+  if (!is_open(state.scene.vessel)) return state.scene.body_acceleration[0] != 0 ? 1.5 : 1;
+  return 1.5 * largest_factor(state.scene.inflow) * state.outline.height() / state.outline.narrowest();
+}
+
 }  // namespace
 
 void check_effects(const Case& scene, std::vector<Fault>& faults) {
@@ -94,15 +109,12 @@ Plan make_plan(const Case& scene) {
   const double diameter = scene.vessel.diameter;
   plan.spacing = diameter / std::round(diameter / scene.numerics.spacing);
   const effects::State state(scene, scales_of(scene), plan.spacing / diameter);
-  double lumen = scene.vessel.length * diameter;
-  for (const Thrombus& t : scene.thrombi) lumen -= std::numbers::pi * t.radius * t.radius / 2;
-  plan.particles = static_cast<int>(
-      std::lround(lumen / (plan.spacing * plan.spacing) - scene.vessel.length / plan.spacing));
-  plan.wall_nodes = static_cast<int>(state.outline.wall_nodes(state.spacing, 0).size());
+  const auto nodes = state.outline.wall_nodes(state.spacing, 0);
+  plan.wall_nodes = static_cast<int>(nodes.size());
+  plan.particles = count_particles(state, nodes);
   plan.membrane_nodes = count_membrane_nodes(scene, plan.spacing);
 
-  const double fastest = 1.5 * scene.inflow.velocity * state.outline.height() / state.outline.narrowest();
-  double step = courant * plan.spacing / fastest;
+  double step = courant * plan.spacing / (fastest_expected(state) * state.scales.velocity);
   plan.limited_by = "flow: the fastest fluid may move a fifth of the spacing in a step";
   if (scene.numerics.time_step) {
     step = *scene.numerics.time_step;

@@ -7,6 +7,7 @@
 #include "engine/case/case_error.h"
 #include "engine/cells/rest_shape.h"
 #include "engine/cells/shape.h"
+#include "engine/simulation/initial_velocity.h"
 
 namespace rouleau {
 
@@ -59,7 +60,37 @@ bool free_place(const State& state, double x, double y, int& cell) {
     if (cells::nearest(ring, x, y).distance < membrane_gap * state.spacing) return false;
     if (cells::contains(ring, x, y)) cell = static_cast<int>(c);
   }
-  return state.outline.distance(x, y).value >= wall_gap * state.spacing;
+  return state.outline.contains(x, y) && state.outline.distance(x, y).value >= wall_gap * state.spacing;
+}
+
+/// Evenly spaced places.
+struct Lattice {
+  double first, gap;
+  int count;
+
+  double at(int k) const { return first + k * gap; }
+};
+
+/// From wall to wall, both included.
+Lattice between_walls(double from, double to, double spacing) {
+  const int pieces = static_cast<int>(std::lround((to - from) / spacing));
+  return {from, (to - from) / pieces, pieces + 1};
+}
+
+/// Half a gap off both ends.
+Lattice between_planes(double from, double to, double spacing) {
+  const int pieces = static_cast<int>(std::lround((to - from) / spacing));
+  const double gap = (to - from) / pieces;
+  return {from + 0.5 * gap, gap, pieces};
+}
+
+/// Rows on multiples of the spacing, which divides the height of the vessel.
+Lattice rows_of(const geometry::Outline& outline, double spacing) {
+  const geometry::Bounds bounds = outline.bounds();
+  if (outline.period_y() > 0) return between_planes(bounds.y0, bounds.y1, spacing);
+  const double first = std::floor(bounds.y0 / spacing + 1e-6);
+  const double last = std::ceil(bounds.y1 / spacing - 1e-6);
+  return {first * spacing, spacing, static_cast<int>(last - first) + 1};
 }
 
 }  // namespace
@@ -73,20 +104,34 @@ void place_cells(State& state) {
     placed.start_inertia_area = shape.inertia_area;
     state.cells.push_back(placed);
   }
+  const InitialVelocity initial(state);
   auto& particles = state.particles;
-  for (int i = 0; i < particles.size(); ++i) particles.u[i] = state.developed_velocity(particles.y[i]);
+  for (int i = 0; i < particles.size(); ++i) {
+    const auto [u, v] = initial.at(particles.x[i], particles.y[i]);
+    particles.u[i] = u;
+    particles.v[i] = v;
+  }
 }
 
 void place_fluid(State& state) {
-  const double d0 = state.spacing;
-  for (int k = 1; k <= state.rows(); ++k) {
-    const double y = state.row_y(k);
-    double x = 0.5 * d0 + state.row_offset(k);
-    for (; x < state.outline.length(); x += d0) {
+  const geometry::Bounds bounds = state.outline.bounds();
+  const bool closed = state.scene.vessel.ends == Ends::closed;
+  const Lattice along = closed ? between_walls(bounds.x0, bounds.x1, state.spacing)
+                               : between_planes(bounds.x0, bounds.x1, state.spacing);
+  const Lattice across = rows_of(state.outline, state.spacing);
+  const InitialVelocity initial(state);
+  for (int k = 0; k < across.count; ++k) {
+    const double y = across.at(k);
+    const double offset = closed ? 0 : state.row_offset(k);
+    for (int m = 0; m < along.count; ++m) {
+      const double x = along.at(m) + offset;
       int cell = -1;
       if (!free_place(state, x, y, cell)) continue;
       const int i = state.particles.add(Group::fluid, x, y, cell);
-      state.particles.u[i] = state.developed_velocity(y);
+      const auto [u, v] = initial.at(x, y);
+      state.particles.u[i] = u;
+      state.particles.v[i] = v;
+      state.particles.p[i] = initial.pressure(x, y);
     }
   }
 }

@@ -102,7 +102,6 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   summary.wrong_side = state.counters.wrong_side;
   summary.viscosity_iterations = static_cast<double>(state.counters.viscosity_iterations) / steps;
   summary.pressure_iterations = static_cast<double>(state.counters.pressure_iterations) / steps;
-  summary.effect_times.push_back({"neighbours_and_operators", simulation.operator_seconds()});
   for (const Simulation::Cost& cost : simulation.costs()) {
     summary.effect_times.push_back({std::string(cost.kind->name), cost.seconds});
   }

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/error/simulation_error.h"
 #include "engine/simulation/arrange.h"
 
 namespace rouleau {
@@ -16,16 +17,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// The explicit transport of pressure is unstable from |u| dt / d0 = 0.7 on.
-constexpr double largest_courant = 0.5;
-
 }  // namespace
 
 Simulation::Simulation(const Case& resolved)
     : plan_(make_plan(resolved)),
       state_(resolved, scales_of(resolved), plan_.spacing / scales_of(resolved).length),
       duration_(resolved.duration / state_.scales.time()),
-      planned_step_(plan_.time_step / state_.scales.time()) {
+      planned_step_(plan_.time_step / state_.scales.time()),
+      step_control_(planned_step_, duration_) {
   place_cells(state_);
   place_fluid(state_);
   place_walls(state_);
@@ -34,7 +33,7 @@ Simulation::Simulation(const Case& resolved)
                                       [&](const PlannedEffect& e) { return e.name == kind->name; });
     if (planned->on) effects_.push_back({kind, kind->make(state_)});
   }
-  sort_particles(state_.particles, state_.spacing);
+  run_stage(effects::Stage::operators);
 }
 
 double Simulation::time() const {
@@ -54,45 +53,65 @@ void Simulation::run_stage(effects::Stage stage) {
   }
 }
 
-void Simulation::build_operators() {
-  const auto start = Clock::now();
-  auto& s = state_;
-  sort_particles(s.particles, s.spacing);
-  s.neighbours.build(s.particles);
-  if (s.scene.numerics.preset != Preset::paper) s.operators.build(s.particles, s.neighbours);
-  const auto active = static_cast<std::size_t>(s.particles.active_end());
-  for (auto* field :
-       {&s.ax, &s.ay, &s.source, &s.divergence, &s.pressure_gx, &s.pressure_gy, &s.shift_x, &s.shift_y}) {
-    field->assign(active, 0);
-  }
-  const auto nodes = static_cast<std::size_t>(s.particles.membrane_end());
-  s.load.fx.assign(nodes, 0);
-  s.load.fy.assign(nodes, 0);
-  s.load.stiffness.clear();
-  s.implicit_forces.clear();
-  operator_seconds_ += seconds_since(start);
-}
-
-void Simulation::step() {
+double Simulation::attempt() {
   using effects::Stage;
-  state_.dt = std::min({planned_step_, largest_courant * state_.spacing / std::max(state_.speed, 1e-30),
-                        duration_ - state_.time});
+  run_stage(Stage::motion);
   run_stage(Stage::boundaries);
-  build_operators();
+  run_stage(Stage::operators);
+  start_u_ = state_.particles.u;
+  start_v_ = state_.particles.v;
   run_stage(Stage::forces);
   run_stage(Stage::viscosity);
   run_stage(Stage::pressure);
-  run_stage(Stage::motion);
+  const double change = note_change_of_velocity();
   run_stage(Stage::checks);
+  return change;
+}
+
+double Simulation::note_change_of_velocity() {
+  auto& particles = state_.particles;
+  const int n = particles.active_end();
+  double change2 = 0, speed2 = 0;
+  for (int i = 0; i < n; ++i) {
+    const double du = particles.u[i] - start_u_[i], dv = particles.v[i] - start_v_[i];
+    particles.du[i] = du;
+    particles.dv[i] = dv;
+    change2 += du * du + dv * dv;
+    speed2 += particles.u[i] * particles.u[i] + particles.v[i] * particles.v[i];
+  }
+  return std::sqrt(change2 / std::max<double>(speed2, n));
+}
+
+void Simulation::step() {
+  before_.take(state_);
+  while (true) {
+    state_.dt = step_control_.choose(state_);
+    try {
+      const double change = attempt();
+      if (step_control_.accurate(state_.dt, change)) {
+        step_control_.accept(state_.dt, change);
+        break;
+      }
+      step_control_.reject(state_.dt);
+    } catch (const SimulationError&) {
+      if (!step_control_.reject(state_.dt)) throw;
+    }
+    before_.restore(state_);
+    run_stage(effects::Stage::operators);
+  }
+  state_.last_dt = state_.dt;
   state_.time += state_.dt;
   ++state_.step;
 }
 
 bool Simulation::cell_at_outlet() const {
-  const auto& x = state_.particles.x;
-  const double limit = state_.outline.length() - 0.5 * state_.spacing;
-  return std::any_of(x.begin(), x.begin() + state_.particles.membrane_end(),
-                     [&](double node) { return node >= limit; });
+  const auto& particles = state_.particles;
+  for (const geometry::Opening& outlet : state_.outline.outlets()) {
+    for (int i = 0; i < particles.membrane_end(); ++i) {
+      if (outlet.beyond(particles.x[i], particles.y[i]) >= -0.5 * state_.spacing) return true;
+    }
+  }
+  return false;
 }
 
 std::vector<Simulation::Cost> Simulation::costs() const {

@@ -5,6 +5,8 @@
 
 #include "engine/effects/effect.h"
 #include "engine/plan/plan.h"
+#include "engine/simulation/snapshot.h"
+#include "engine/simulation/step_control.h"
 
 namespace rouleau {
 
@@ -22,9 +24,13 @@ class Simulation {
   double time() const;  ///< s
   bool finished() const;
 
-  /// Advances by one step through the effects of the plan.
-  /// @throws SimulationError when a value is not finite, a speed is out of bounds or a solver fails
+  /// Advances by one step through the effects of the plan. A step that breaks a limit is taken again,
+  /// smaller.
+  /// @throws SimulationError when a value is not finite, a speed is out of bounds or a solver fails, and no
+  /// smaller step cures it
   void step();
+
+  const StepCounts& step_counts() const { return step_control_.counts(); }
 
   /// Whether a node of a membrane is within half a spacing of the outlet plane.
   bool cell_at_outlet() const;
@@ -35,7 +41,6 @@ class Simulation {
   };
   /// Wall time spent in each effect so far, in the order in which they run.
   std::vector<Cost> costs() const;
-  double operator_seconds() const { return operator_seconds_; }
 
  private:
   struct Running {
@@ -45,14 +50,19 @@ class Simulation {
   };
 
   void run_stage(effects::Stage stage);
-  void build_operators();
+  /// One attempt; returns the change of velocity that StepControl judges.
+  double attempt();
+  /// Keeps it with the particles, for the next step, and returns its size.
+  double note_change_of_velocity();
 
   Plan plan_;
   effects::State state_;
   std::vector<Running> effects_;
   double duration_;
   double planned_step_;
-  double operator_seconds_ = 0;
+  StepControl step_control_;
+  Snapshot before_;
+  std::vector<double> start_u_, start_v_;  ///< of the active particles, as the step found them
 };
 
 }  // namespace rouleau

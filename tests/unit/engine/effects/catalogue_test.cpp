@@ -65,8 +65,8 @@ TEST(Catalogue, EveryEffectCanBeMade) {
 
 TEST(Catalogue, StagesHaveNamesOfTheirOwn) {
   std::set<std::string_view> names;
-  for (const Stage stage :
-       {Stage::boundaries, Stage::forces, Stage::viscosity, Stage::pressure, Stage::motion, Stage::checks}) {
+  for (const Stage stage : {Stage::boundaries, Stage::operators, Stage::forces, Stage::viscosity,
+                            Stage::pressure, Stage::motion, Stage::checks}) {
     EXPECT_TRUE(names.insert(name_of(stage)).second);
   }
 }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "engine/effects/state.h"
+
+namespace rouleau {
+
+/// What holds a time step where it is.
+enum class Limit {
+  planned,   ///< the plan's step: given by the case, or a fifth of a spacing for the fastest fluid expected
+  flow,      ///< half a spacing for the fastest fluid there is
+  viscous,   ///< explicit viscous sub-steps
+  elastic,   ///< how far a link of a membrane may stretch
+  error,     ///< of the time integration
+  rejected,  ///< a step was taken again smaller, and the step grows back
+  end,       ///< the duration
+};
+inline constexpr int limits = 7;
+
+std::string_view name_of(Limit limit);
+
+/// What happened to the steps of a run.
+struct StepCounts {
+  std::array<long, limits> bound{};  ///< steps held back by each limit
+  long rejected = 0;
+  double least = 0, most = 0;  ///< steps taken, own units; the last one, cut to the duration, not counted
+};
+
+/// Chooses each time step.
+class StepControl {
+ public:
+  StepControl(double planned, double duration) : planned_(planned), duration_(duration) {}
+
+  /// The next step from `state`; sets `limit()`.
+  double choose(const effects::State& state);
+  Limit limit() const { return limit_; }
+
+  /// Whether the step just made is to be accepted as far as its error goes.
+  /// @param change  rms change of velocity along the particles' paths, over the rms velocity (at least 1)
+  bool accurate(double dt, double change) const;
+
+  void accept(double dt, double change);
+  /// After a breach: whether the step may be tried again, smaller.
+  bool reject(double dt);
+
+  const StepCounts& counts() const { return counts_; }
+
+ private:
+  double planned_;
+  double duration_;
+  double allowed_by_error_ = 1e300;
+  double allowed_after_rejection_ = 1e300;
+  Limit limit_ = Limit::planned;
+  int rejections_in_a_row_ = 0;
+  StepCounts counts_;
+};
+
+}  // namespace rouleau
