@@ -27,7 +27,7 @@ class InflowOfProfile : public testing::TestWithParam<Profile> {
 
   double lane_velocity(int k) const {
     const State& s = simulation_->state();
-    return GetParam() == Profile::plug ? 1 / (1 - s.spacing) : s.developed_velocity(s.row_y(k));
+    return GetParam() == Profile::plug ? 1 / (1 - s.spacing) : State::parabola(s.row_y(k) / s.outline.height());
   }
 
   std::optional<Simulation> simulation_;
