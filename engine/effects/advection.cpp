@@ -11,7 +11,10 @@ class Advection : public Effect {
     state.next_x = particles.x;
     state.next_y = particles.y;
     // The velocity half a step ahead, by the change in the last step.
-    const double ahead = state.last_dt > 0 && state.cells.empty() && !is_published(state.scene) ? 0.5 * state.dt / state.last_dt : 0;
+    const double ahead =
+        state.last_dt > 0 && state.cells.empty() && state.scene.numerics.preset != Preset::paper
+            ? 0.5 * state.dt / state.last_dt
+            : 0;
     const int active = particles.active_end();
     for (int i = 0; i < particles.inlet_end(); ++i) {
       const double half = i < active ? ahead : 0;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tests/validation/recorded_run.h"
 
 namespace rouleau::validation {
@@ -19,7 +21,8 @@ TEST_P(FlowPastAThrombus, MatchesStokesFlow) {
   scene.inflow.profile = Profile::parabolic;
   scene.thrombi.push_back({Wall::lower, 32e-6, bump.radius_over_height * 10e-6});
   const RecordedRun run(scene);
-  EXPECT_NEAR(run.summary.peak_fluid_speed / 0.005, bump.peak_velocity, 0.01 * bump.peak_velocity);
+  const auto& u = run.frames.back().u;  // developed: the start overshoots
+  EXPECT_NEAR(*std::max_element(u.begin(), u.end()) / 0.005, bump.peak_velocity, 0.01 * bump.peak_velocity);
   const double unit = 1e-3 * 0.005 / 10e-6;
   const double free = 12 * unit * 80e-6 / 10e-6;
   const double extra = (run.column("pressure_drop").back() - free) / unit;

@@ -27,7 +27,8 @@ class InflowOfProfile : public testing::TestWithParam<Profile> {
 
   double lane_velocity(int k) const {
     const State& s = simulation_->state();
-    return GetParam() == Profile::plug ? 1 / (1 - s.spacing) : State::parabola(s.row_y(k) / s.outline.height());
+    return GetParam() == Profile::plug ? 1 / (1 - s.spacing)
+                                       : State::parabola(s.row_y(k) / s.outline.height());
   }
 
   std::optional<Simulation> simulation_;
@@ -36,11 +37,11 @@ class InflowOfProfile : public testing::TestWithParam<Profile> {
 TEST_P(InflowOfProfile, EmitsExactlyWhatTheLanesCarry) {
   while (!simulation_->finished()) simulation_->step();
   const State& s = simulation_->state();
-  // Lanes are filled up before a step. A lane keeps its last particle between 3.5 and 4.5 spacings upstream;
-  // its first is off by its stagger.
+  // A lane is filled up when its foremost particle, at first half a spacing upstream and off by its stagger,
+  // passes the plane.
   long expected = 0;
   for (int k = 1; k <= s.rows(); ++k) {
-    const double fed = (s.row_offset(k) + lane_velocity(k) * (s.time - s.dt)) / s.spacing;
+    const double fed = (s.row_offset(k) + lane_velocity(k) * s.time) / s.spacing - 0.5;
     expected += std::max(0L, static_cast<long>(std::ceil(fed - 1e-9)));
   }
   EXPECT_EQ(s.counters.emitted, expected);
