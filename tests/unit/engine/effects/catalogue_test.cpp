@@ -51,10 +51,16 @@ TEST(Catalogue, MembranesEffectsAreCalledForByCellsAlone) {
 TEST(Catalogue, EveryEffectIsForSomeScene) {
   Case published = coarse_vessel();
   published.numerics = preset_numerics(Preset::paper);
+  Case driven = coarse_vessel();
+  driven.vessel.ends = Ends::periodic;
+  driven.body_acceleration = {1, 0};
   for (const EffectKind* kind : catalogue()) {
-    const bool accurate = kind->need(coarse_vessel_with_cells()).called_for;
-    const Need need = kind->need(published);
-    EXPECT_TRUE(accurate || need.called_for || need.on_request) << kind->name;
+    bool used = false;
+    for (const Case& scene : {coarse_vessel_with_cells(), published, driven}) {
+      const Need need = kind->need(scene);
+      used = used || need.called_for || need.on_request;
+    }
+    EXPECT_TRUE(used) << kind->name;
   }
 }
 
