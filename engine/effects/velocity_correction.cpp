@@ -16,6 +16,10 @@ class VelocityCorrection : public Effect {
       particles.u[i] -= state.dt * gp.x;
       particles.v[i] -= state.dt * gp.y;
     }
+    for (int i = 0; i < particles.active_end(); ++i) {
+      state.divergence[i] = operators::divergence(projection.mps, projection.neighbours, projection.weights,
+                                                  i, particles.u.data(), particles.v.data());
+    }
   }
 };
 

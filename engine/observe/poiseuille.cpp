@@ -4,6 +4,13 @@
 
 namespace rouleau::observe {
 
+bool becomes_parabola(const Case& scene) {
+  const Vessel& vessel = scene.vessel;
+  return vessel.shape == Shape::straight && is_open(vessel) && scene.cells.empty() && scene.thrombi.empty() &&
+         scene.inflow.waveform.empty() && scene.body_acceleration == std::array<double, 2>{} &&
+         vessel.wall_velocity.lower == 0 && vessel.wall_velocity.upper == 0;
+}
+
 double poiseuille_deviation(const effects::State& state) {
   const auto& particles = state.particles;
   double sum = 0;

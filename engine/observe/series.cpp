@@ -5,6 +5,7 @@
 
 #include "engine/observe/cell_measures.h"
 #include "engine/observe/fluid_segments.h"
+#include "engine/observe/poiseuille.h"
 
 namespace rouleau::observe {
 
@@ -27,6 +28,7 @@ std::vector<Column> series_columns(const Case& scene) {
                                Column{"time_step", "s"}, Column{"divergence", "1"}}) {
     columns.push_back(column);
   }
+  if (becomes_parabola(scene)) columns.push_back({"poiseuille_deviation", "1"});
   return columns;
 }
 
@@ -45,6 +47,7 @@ std::vector<double> series_row(const effects::State& state, const FlowPlanes& pl
   row.insert(row.end(),
              {pressure_drop(state, inlet) * s.pressure(), static_cast<double>(state.particles.active_end()),
               state.dt * s.time(), divergence * state.spacing});
+  if (becomes_parabola(state.scene)) row.push_back(poiseuille_deviation(state));
   return row;
 }
 

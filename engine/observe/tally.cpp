@@ -9,25 +9,11 @@
 
 namespace rouleau::observe {
 
-namespace {
-
-/// Whether the flow becomes a parabola that is known: in an open straight vessel with steady inflow and
-/// nothing in it.
-bool develops(const effects::State& state) {
-  const Case& scene = state.scene;
-  return scene.vessel.shape == Shape::straight && !state.outline.inlets().empty() && state.cells.empty() &&
-         state.outline.bumps().empty() && scene.inflow.waveform.empty() &&
-         scene.body_acceleration == std::array<double, 2>{} && scene.vessel.wall_velocity.lower == 0 &&
-         scene.vessel.wall_velocity.upper == 0;
-}
-
-}  // namespace
-
 Tally::Tally(const effects::State& state)
     : cells_(state.cells.size(), CellSummary{.peak_tau = 1, .least_tau = 1}),
       planes_(flow_planes(state)),
       has_openings_(!state.outline.inlets().empty()),
-      develops_(develops(state)) {}
+      develops_(becomes_parabola(state.scene)) {}
 
 void Tally::add(const effects::State& state) {
   for (std::size_t k = 0; k < cells_.size(); ++k) {

@@ -52,6 +52,17 @@ Gradient gradient(const StandardMps& mps, const particles::NeighbourList& list, 
   return {mps.gradient_scale() * sum.x, mps.gradient_scale() * sum.y};
 }
 
+double divergence(const StandardMps& mps, const particles::NeighbourList& list, const KernelWeights& weights,
+                  int i, const double* u, const double* v) {
+  double sum = 0;
+  for (int k = list.begin(i); k < list.end(i); ++k) {
+    const double r = list.r[k];
+    const int j = list.j[k];
+    sum += weights.pair[k] / (r * r) * ((u[j] - u[i]) * list.dx[k] + (v[j] - v[i]) * list.dy[k]);
+  }
+  return mps.gradient_scale() * sum;
+}
+
 double laplacian(const StandardMps& mps, const particles::NeighbourList& list, const KernelWeights& weights,
                  int i, const double* field) {
   double sum = 0;

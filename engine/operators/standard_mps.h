@@ -45,6 +45,10 @@ double number_density(const particles::NeighbourList& list, const KernelWeights&
 Gradient gradient(const StandardMps& mps, const particles::NeighbourList& list, const KernelWeights& weights,
                   int i, const double* field, double base);
 
+/// Divergence of a velocity at row i, by eq. 5.
+double divergence(const StandardMps& mps, const particles::NeighbourList& list, const KernelWeights& weights,
+                  int i, const double* u, const double* v);
+
 /// Laplacian of a field at row i, eq. 6, ghosts included.
 double laplacian(const StandardMps& mps, const particles::NeighbourList& list, const KernelWeights& weights,
                  int i, const double* field);

@@ -28,7 +28,7 @@ inline State published_state(bool with_outlet = true) {
   sort_particles(state.particles, state.spacing);
   state.neighbours.build(state.particles);
   const auto active = static_cast<std::size_t>(state.particles.active_end());
-  for (auto* field : {&state.ax, &state.ay, &state.source}) field->assign(active, 0);
+  for (auto* field : {&state.ax, &state.ay, &state.source, &state.divergence}) field->assign(active, 0);
   return state;
 }
 

@@ -34,7 +34,7 @@ Names joined(std::initializer_list<Names> parts) {
 }
 
 TEST(Series, ColumnsAreTheOnesPromised) {
-  EXPECT_EQ(column_names(0), joined({{"time"}, flow}));
+  EXPECT_EQ(column_names(0), joined({{"time"}, flow, {"poiseuille_deviation"}}));
   EXPECT_EQ(column_names(1), joined({{"time"}, of_cell("cell0"), flow}));
   EXPECT_EQ(column_names(2), joined({{"time"}, of_cell("cell0"), of_cell("cell1"), flow}));
 }
@@ -46,6 +46,29 @@ TEST(Series, ABifurcationHasTwoOutflows) {
   for (const Column& column : series_columns(scene)) names.push_back(column.name);
   EXPECT_EQ(names, (Names{"time", "inflow", "outflow0", "outflow1", "pressure_drop", "particles", "time_step",
                           "divergence"}));
+}
+
+TEST(Series, DeviationFromTheParabolaIsThereWhereTheFlowBecomesOne) {
+  const auto has_it = [](const Case& scene) {
+    return series_columns(scene).back().name == "poiseuille_deviation";
+  };
+  EXPECT_TRUE(has_it(coarse_vessel()));
+  EXPECT_FALSE(has_it(coarse_vessel_with_cells(1)));
+  Case scene = coarse_vessel();
+  scene.vessel.ends = Ends::periodic;
+  EXPECT_FALSE(has_it(scene));
+  scene = coarse_vessel();
+  scene.thrombi = {{Wall::lower, 7e-6, 2e-6}};
+  EXPECT_FALSE(has_it(scene));
+  scene = coarse_vessel();
+  scene.inflow.waveform = {{0, 1}, {1e-4, -1}};
+  EXPECT_FALSE(has_it(scene));
+  scene = coarse_vessel();
+  scene.body_acceleration = {1, 0};
+  EXPECT_FALSE(has_it(scene));
+  scene = coarse_vessel();
+  scene.vessel.wall_velocity.upper = 1e-3;
+  EXPECT_FALSE(has_it(scene));
 }
 
 TEST(Series, EveryColumnHasAUnit) {

@@ -93,6 +93,14 @@ TEST_P(StandardMpsOnALattice, GradientOfALinearFieldIsExact) {
   }
 }
 
+TEST_P(StandardMpsOnALattice, DivergenceOfALinearFieldIsExact) {
+  const auto u = lattice_.sample([](double x, double y) { return 1 + 2 * x - 5 * y; });
+  const auto v = lattice_.sample([](double x, double y) { return 3 * x + 4 * y - 2; });
+  EXPECT_NEAR(
+      divergence(lattice_.mps, lattice_.neighbours, lattice_.weights, lattice_.at(6, 6), u.data(), v.data()),
+      6, 1e-4);
+}
+
 TEST_P(StandardMpsOnALattice, GradientAgainstAnotherBasePushesOffTheEdge) {
   const auto field = lattice_.sample([](double, double) { return 1.0; });
   const int i = lattice_.at(12, 6);
