@@ -44,15 +44,18 @@ class Transport : public Effect {
  private:
   /// Takes out what no gradient sees: the part of p that differs from the neighbours' by more than the mean
   /// of both gradients leads to (Antuono et al. 2010 do so to a density). It would grow beside walls, where
-  /// gradient and divergence are not adjoint. Exact for quadratic fields.
+  /// gradient and divergence are not adjoint. Exact for quadratic fields; not across membranes, where
+  /// pressure jumps.
   void smooth_pressure(State& state) const {
+    auto& particles = state.particles;
     const auto& list = state.neighbours;
-    const int n = state.particles.active_end();
-    for (int i = state.particles.membrane_end(); i < n; ++i) {
+    const int n = particles.active_end();
+    const int first = particles.membrane_end();
+    for (int i = first; i < n; ++i) {
       double excess = 0, weight = 0;
       for (int k = list.begin(i); k < list.near_end(i); ++k) {
         const int j = list.j[k];
-        if (j >= n) continue;
+        if (j < first || j >= n || particles.cell[j] != particles.cell[i]) continue;
         const double q = 1 - list.r[k] / state.near_radius;
         weight += q * q;
         excess += q * q *
@@ -60,7 +63,7 @@ class Transport : public Effect {
                    0.5 * ((state.pressure_gx[i] + state.pressure_gx[j]) * list.dx[k] +
                           (state.pressure_gy[i] + state.pressure_gy[j]) * list.dy[k]));
       }
-      if (weight > 0) state.particles.p[i] += smoothing * excess / weight;
+      if (weight > 0) particles.p[i] += smoothing * excess / weight;
     }
   }
 

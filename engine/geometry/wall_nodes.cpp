@@ -45,9 +45,8 @@ WallNode node_at(const Place& place, double speed) {
   return {place.at[0], place.at[1], -ty, tx, speed * tx, speed * ty};
 }
 
-/// Where two pieces meet: `end` of the one, `begin` of the next. If the walls disagree on the velocity
-/// the node is at rest: two rigid walls cannot both hold there, the stress in the corner of a lid-driven
-/// cavity is singular, and a node that moves along one of its walls would drag fluid through the other.
+/// Where two pieces meet: `end` of the one, `begin` of the next. Where the walls disagree on the velocity, as
+/// in the corners of a lid-driven cavity, the stress is singular and no velocity is right.
 WallNode corner_of(const WallNode& end, const WallNode& begin) {
   WallNode node = begin;
   double nx = end.nx + begin.nx, ny = end.ny + begin.ny;
@@ -60,7 +59,8 @@ WallNode corner_of(const WallNode& end, const WallNode& begin) {
   node.nx = nx / norm;
   node.ny = ny / norm;
   const double difference = std::hypot(end.u - begin.u, end.v - begin.v);
-  if (difference > 1e-9 * (std::hypot(end.u, end.v) + std::hypot(begin.u, begin.v))) node.u = node.v = 0;
+  node.torn = difference > 1e-9 * (std::hypot(end.u, end.v) + std::hypot(begin.u, begin.v));
+  if (node.torn) node.u = node.v = 0;
   return node;
 }
 
