@@ -24,7 +24,7 @@ Simulation::Simulation(const Case& resolved)
       state_(resolved, scales_of(resolved), plan_.spacing / scales_of(resolved).length),
       duration_(resolved.duration / state_.scales.time()),
       planned_step_(plan_.time_step / state_.scales.time()),
-      step_control_(planned_step_, duration_) {
+      step_control_(planned_step_, duration_, resolved.numerics.preset == Preset::paper) {
   place_cells(state_);
   place_fluid(state_);
   place_walls(state_);

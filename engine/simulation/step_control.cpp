@@ -50,21 +50,22 @@ double StepControl::choose(const effects::State& state) {
     dt = bound;
     limit_ = limit;
   };
-  hold(largest_courant * state.spacing / std::max(state.speed, 1e-30), Limit::flow);
   const Numerics& numerics = state.scene.numerics;
   if (numerics.viscosity == Viscosity::substeps) {
     hold(numerics.substeps * largest_substep * state.spacing * state.spacing / state.viscosity,
          Limit::viscous);
   }
+  hold(duration_ - state.time, Limit::end);
+  if (fixed_) return dt;
+  hold(largest_courant * state.spacing / std::max(state.speed, 1e-30), Limit::flow);
   if (!state.cells.empty()) hold(largest_stretch / std::max(stretching_rate(state), 1e-30), Limit::elastic);
   hold(allowed_by_error_, Limit::error);
   hold(allowed_after_rejection_, Limit::rejected);
-  hold(duration_ - state.time, Limit::end);
   return dt;
 }
 
 bool StepControl::accurate(double dt, double change) const {
-  return change <= 2 * largest_change || dt <= planned_ / error_range;
+  return fixed_ || change <= 2 * largest_change || dt <= planned_ / error_range;
 }
 
 void StepControl::accept(double dt, double change) {
@@ -80,6 +81,7 @@ void StepControl::accept(double dt, double change) {
 }
 
 bool StepControl::reject(double dt) {
+  if (fixed_) return false;
   ++counts_.rejected;
   allowed_after_rejection_ = dt / 2;
   return ++rejections_in_a_row_ <= most_rejections;

@@ -31,7 +31,10 @@ struct StepCounts {
 /// Chooses each time step.
 class StepControl {
  public:
-  StepControl(double planned, double duration) : planned_(planned), duration_(duration) {}
+  /// @param fixed  every step is the planned one: the published scheme's density source grows as its inverse
+  ///               square, so that a smaller step cures nothing
+  StepControl(double planned, double duration, bool fixed)
+      : planned_(planned), duration_(duration), fixed_(fixed) {}
 
   /// The next step from `state`; sets `limit()`.
   double choose(const effects::State& state);
@@ -50,6 +53,7 @@ class StepControl {
  private:
   double planned_;
   double duration_;
+  bool fixed_;
   double allowed_by_error_ = 1e300;
   double allowed_after_rejection_ = 1e300;
   Limit limit_ = Limit::planned;
