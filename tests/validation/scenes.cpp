@@ -1,0 +1,58 @@
+#include "tests/validation/scenes.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/case/presets.h"
+
+namespace rouleau::validation {
+
+double Measurement::error(const std::string& name) const {
+  for (const auto& [known, value] : errors) {
+    if (known == name) return value;
+  }
+  throw std::out_of_range("no error is called " + name);
+}
+
+const std::vector<Scene>& scenes() {
+  const auto bump = [](const char* name, bool both) {
+    return Scene{name, "bumps", [name, both](const Resolution& r) { return run_bump(r, name, both); }};
+  };
+  const auto poiseuille = [](const char* name, Profile profile) {
+    return Scene{name, "poiseuille", [profile](const Resolution& r) { return run_poiseuille(r, profile); }};
+  };
+  static const std::vector<Scene> all{
+      {"couette_start", "couette_start", run_couette_start},
+      {"poiseuille_start", "poiseuille_start", run_poiseuille_start},
+      poiseuille("poiseuille_plug", Profile::plug),
+      poiseuille("poiseuille_parabolic", Profile::parabolic),
+      {"long_channel", "long_channel", run_long_channel},
+      {"womersley", "womersley", run_womersley},
+      {"taylor_green", "taylor_green", run_taylor_green},
+      {"hydrostatic", "hydrostatic", run_hydrostatic},
+      {"cavity_re100", "cavity_re100", run_cavity},
+      bump("bump_016", false),
+      bump("bump_032", false),
+      bump("bump_048", false),
+      bump("bump_pair", true),
+      {"bifurcation", "bifurcation", run_bifurcation},
+      {"bifurcation_unequal", "bifurcation_unequal", run_unequal_bifurcation}};
+  return all;
+}
+
+const Scene& scene_named(const std::string& name) {
+  for (const Scene& scene : scenes()) {
+    if (scene.name == name) return scene;
+  }
+  throw std::out_of_range("no scene is called " + name);
+}
+
+Numerics numerics_at(const Resolution& resolution, double height) {
+  Numerics numerics = preset_numerics(resolution.preset);
+  const double preset_spacing = numerics.spacing;
+  numerics.spacing = height / resolution.across;
+  if (numerics.time_step) *numerics.time_step *= std::pow(numerics.spacing / preset_spacing, 2);
+  return numerics;
+}
+
+}  // namespace rouleau::validation
