@@ -1,0 +1,65 @@
+"""deploy/reproduce, with the program that CTest built (in ROULEAU_VALIDATION_RUN)."""
+
+import json
+import os
+import subprocess
+
+import pytest
+
+from repository import ROOT
+
+
+def reproduce(*arguments):
+    return subprocess.run([ROOT / "deploy/reproduce", *arguments], capture_output=True, text=True, timeout=100,
+                          stdin=subprocess.DEVNULL)
+
+
+def accuracy(out, *arguments):
+    result = reproduce("accuracy", "--out", str(out), *arguments)
+    assert result.returncode == 0, result.stdout + result.stderr
+    return {path.relative_to(out).as_posix(): path.read_bytes() for path in out.rglob("*") if path.is_file()}
+
+
+def test_help():
+    result = reproduce("--help")
+    assert result.returncode == 0
+    assert result.stdout.startswith("usage: deploy/reproduce")
+
+
+@pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"]])
+def test_what_is_unknown_is_refused(arguments):
+    result = reproduce(*arguments)
+    assert result.returncode == 2
+    assert result.stderr.startswith("usage: deploy/reproduce")
+
+
+@pytest.mark.skipif("ROULEAU_VALIDATION_RUN" not in os.environ, reason="run by CTest, which knows the program")
+class TestAccuracy:
+    def test_an_unknown_scene_is_named(self, tmp_path):
+        result = reproduce("accuracy", "--out", str(tmp_path), "waterfall")
+        assert result.returncode == 1
+        assert "no scene is called waterfall; there are: couette_start, " in result.stderr
+
+    def test_runs_become_a_page_with_diagrams(self, tmp_path):
+        files = accuracy(tmp_path, "--quick", "hydrostatic", "taylor_green")
+        assert set(files) == {"accuracy.md", "accuracy.jsonl", "img/accuracy_hydrostatic.svg", "img/accuracy_taylor_green.svg"}
+        runs = [json.loads(line) for line in files["accuracy.jsonl"].splitlines()]
+        assert [(run["scene"], run["across"]) for run in runs] == [
+            ("taylor_green", 12), ("taylor_green", 16), ("hydrostatic", 12), ("hydrostatic", 16)]
+        page = files["accuracy.md"].decode()
+        for run in runs:
+            assert run["outcome"] == "completed"
+            assert f"| standard | {run['across']} | " in page
+
+    def test_a_scene_takes_the_place_of_its_earlier_runs_and_drawing_changes_nothing(self, tmp_path):
+        accuracy(tmp_path, "--quick", "hydrostatic")
+        again = accuracy(tmp_path, "--quick", "hydrostatic")
+        assert len(again["accuracy.jsonl"].splitlines()) == 2
+        assert accuracy(tmp_path, "--draw") == again
+
+
+def test_the_page_is_that_of_the_runs_kept_with_it(tmp_path):
+    (tmp_path / "accuracy.jsonl").write_bytes((ROOT / "docs/accuracy.jsonl").read_bytes())
+    drawn = accuracy(tmp_path, "--draw")
+    assert drawn["accuracy.md"] == (ROOT / "docs/accuracy.md").read_bytes()
+    assert drawn["accuracy.jsonl"] == (ROOT / "docs/accuracy.jsonl").read_bytes()
