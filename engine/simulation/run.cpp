@@ -97,6 +97,14 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   summary.wall_time = wall;
   const double steps = static_cast<double>(std::max(1L, state.step));
   if (wall > 0) summary.steps_per_second = static_cast<double>(state.step) / wall;
+  const StepCounts& counts = simulation.step_counts();
+  summary.rejected_steps = counts.rejected;
+  summary.least_time_step = counts.least * state.scales.time();
+  for (int k = 0; k < limits; ++k) {
+    if (counts.bound[k] > 0) {
+      summary.step_limits.push_back({std::string(name_of(static_cast<Limit>(k))), counts.bound[k]});
+    }
+  }
   tally.report(summary);
   summary.peak_fluid_speed = state.counters.peak_speed * state.scales.velocity;
   summary.wrong_side = state.counters.wrong_side;

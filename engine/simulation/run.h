@@ -27,6 +27,12 @@ struct CellSummary {
   double area_deviation = 0;  ///< the largest |A/A0 - 1|
 };
 
+/// How many steps a limit held where they were: planned, flow, viscous, elastic, error, rejected or end.
+struct LimitCount {
+  std::string name;
+  long steps = 0;
+};
+
 struct EffectTime {
   std::string name;
   double seconds = 0;
@@ -38,7 +44,10 @@ struct RunSummary {
   std::string reason;         ///< a sentence for a person
   double simulated_time = 0;  ///< s
   long steps = 0;
-  double wall_time = 0;  ///< s
+  long rejected_steps = 0;              ///< taken again smaller, because they broke a limit
+  std::vector<LimitCount> step_limits;  ///< those that bound
+  double least_time_step = 0;           ///< s
+  double wall_time = 0;                 ///< s
   double steps_per_second = 0;
   std::vector<CellSummary> cells;
   double volume_in = 0;              ///< net, m2 per unit depth, over the run; 0 in a vessel without openings

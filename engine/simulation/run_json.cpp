@@ -29,6 +29,8 @@ nlohmann::json to_json(const RunSummary& summary) {
                      {"least_tau", cell.least_tau},
                      {"area_deviation", cell.area_deviation}});
   }
+  nlohmann::json bound = nlohmann::json::object();
+  for (const LimitCount& limit : summary.step_limits) bound[limit.name] = limit.steps;
   nlohmann::json times = nlohmann::json::array();
   for (const EffectTime& time : summary.effect_times) {
     times.push_back({{"name", time.name}, {"seconds", time.seconds}});
@@ -37,6 +39,9 @@ nlohmann::json to_json(const RunSummary& summary) {
                          {"reason", summary.reason},
                          {"simulated_time", summary.simulated_time},
                          {"steps", summary.steps},
+                         {"rejected_steps", summary.rejected_steps},
+                         {"step_limits", bound},
+                         {"least_time_step", summary.least_time_step},
                          {"wall_time", summary.wall_time},
                          {"steps_per_second", summary.steps_per_second},
                          {"cells", cells},

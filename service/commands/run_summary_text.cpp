@@ -31,6 +31,20 @@ std::string describe_cells(const nlohmann::json& cells) {
   return text;
 }
 
+/// Nothing where every step was the planned one.
+std::string describe_step_limits(const nlohmann::json& summary) {
+  const auto bound = summary.find("step_limits");
+  if (bound == summary.end()) return "";
+  std::string held;
+  for (const auto& [limit, steps] : bound->items()) {
+    if (limit == "planned" || limit == "end") continue;
+    held += fmt::format("{}{} by {}", held.empty() ? "" : ", ", steps.get<long>(), limit);
+  }
+  if (held.empty()) return "";
+  return fmt::format("steps held back: {}; {:.0f} taken again; the smallest {:.3g} us\n", held,
+                     number(summary, "rejected_steps"), 1e6 * number(summary, "least_time_step"));
+}
+
 std::string describe_effect_times(const nlohmann::json& times) {
   std::vector<std::pair<double, std::string>> parts;
   double total = 0;
@@ -69,6 +83,7 @@ std::string describe_summary(const nlohmann::json& summary) {
   if (const double through = number(summary, "wrong_side"); through > 0) {
     text += fmt::format("{:.0f} particles slipped through a membrane and were put back\n", through);
   }
+  text += describe_step_limits(summary);
   text += fmt::format("peak fluid speed {:.4g} mm/s\n", 1e3 * number(summary, "peak_fluid_speed"));
   if (const auto times = summary.find("effect_times"); times != summary.end())
     text += describe_effect_times(*times);
