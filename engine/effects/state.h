@@ -88,7 +88,7 @@ struct State {
   std::vector<double> ax, ay;  ///< acceleration by forces of this step
   std::vector<const ImplicitForce*> implicit_forces;
   std::vector<double> source;                    ///< the divergence that is wanted there
-  std::vector<double> divergence;                ///< of the velocity at the end of the step
+  std::vector<double> divergence;                ///< that the published scheme leaves
   std::vector<double> pressure_gx, pressure_gy;  ///< gradient of p at the end of the step
   std::vector<double> shift_x, shift_y;          ///< displacement beside the flow's
   // Over all particles.

@@ -18,7 +18,6 @@ class Transport : public Effect {
       const operators::Gradient gu = state.operators.velocity_gradient(i, u_.data());
       const operators::Gradient gv = state.operators.velocity_gradient(i, v_.data());
       const operators::Gradient gp = state.operators.pressure_gradient(i, p_.data());
-      state.divergence[i] = gu.x + gv.y - state.source[i];
       state.pressure_gx[i] = gp.x;
       state.pressure_gy[i] = gp.y;
       if (i < particles.membrane_end()) continue;

@@ -40,6 +40,13 @@ TEST(Poiseuille, TheNumberOfParticlesStaysWithinHalfAPercent) {
   for (const double n : particles) EXPECT_NEAR(n, particles.front(), 0.005 * particles.front());
 }
 
+TEST(Poiseuille, DivergenceIsSmallAndSaid) {
+  const RecordedRun run(study_vessel(1e-3));
+  const double divergence = run.column("divergence").back();
+  EXPECT_GT(divergence, 1e-6);
+  EXPECT_LT(divergence, 0.05);
+}
+
 }  // namespace
 
 }  // namespace rouleau::validation
