@@ -13,7 +13,7 @@ struct WallNode {
   double u = 0, v = 0;        ///< velocity of the wall there
   double length = 0;          ///< of the wall that it stands for: half the way to each of its neighbours
   bool beyond_inlet = false;  ///< on the extension upstream of the inlet plane
-  bool torn = false;          ///< in a corner whose walls move apart: no velocity holds there
+  bool torn = false;          ///< in a corner whose walls move apart; at rest, but no velocity is right
 };
 
 /// Appends the nodes of one chain. Every piece is divided evenly, into steps as near to `spacing` as can be

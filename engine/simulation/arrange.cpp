@@ -139,12 +139,10 @@ void place_fluid(State& state) {
 void place_walls(State& state) {
   auto& particles = state.particles;
   const auto nodes = state.outline.wall_nodes(state.spacing, wall_extension * state.spacing);
-  // Upstream of the inlet a plug slips along the walls: they are no velocity data there. Neither is a torn
-  // corner: with any velocity of its own it drives what comes near it unstable.
+  // Upstream of the inlet a plug slips along the walls: they are no velocity data there.
   const bool plug = state.scene.inflow.profile == Profile::plug;
   for (const auto& node : nodes) {
-    const bool known = !(plug && node.beyond_inlet) && !node.torn;
-    const int i = particles.add(known ? Group::wall : Group::ghost, node.x, node.y);
+    const int i = particles.add(plug && node.beyond_inlet ? Group::ghost : Group::wall, node.x, node.y);
     particles.u[i] = node.u;
     particles.v[i] = node.v;
   }
