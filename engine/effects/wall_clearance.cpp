@@ -50,8 +50,8 @@ class WallClearance : public Effect {
 
 const EffectKind wall_clearance{
     "wall_clearance", Stage::motion, false,
-    [](const Case&) {
-      return Need{true, "walls hold the fluid", "/vessel"};
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, {true, "walls hold the fluid", "/vessel"});
     },
     [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<WallClearance>(state); }};
 
