@@ -4,7 +4,8 @@ namespace rouleau::effects {
 
 namespace {
 
-// Of the lattice's number density: what the study's method counts as a free surface below.
+// Of the lattice's number density: the usual bound below which MPS takes a particle for one of a free
+// surface.
 constexpr double least_density = 0.97;
 
 class WallEndExclusion : public Effect {
