@@ -30,13 +30,14 @@ class InflowFlux : public Effect {
       if (particles.x[i] < source_depth * state.spacing && particles.cell[i] < 0) layer_.push_back(i);
     }
     if (layer_.empty()) return;
-    const double flux = operators::measure_flux(particles, state.plane_at(plane));
+    const double flux = operators::measure_flux(particles, state.plane_at(plane), sampler_);
     const double source = (wanted - (flux - removed)) / (volume * static_cast<double>(layer_.size()));
     for (const int i : layer_) state.source[i] += source;
   }
 
  private:
   std::vector<int> layer_;
+  operators::Sampler sampler_;
 };
 
 }  // namespace

@@ -90,8 +90,8 @@ class MembraneCoupling : public Effect, public ImplicitForce {
         const double difference = colour(state, c, j) - here;
         if (difference == 0) continue;
         near = true;
-        gx += state.operators.pressure_dx()[k] * difference;
-        gy += state.operators.pressure_dy()[k] * difference;
+        gx += state.operators.pressure_dx(i)[k - list.begin(i)] * difference;
+        gy += state.operators.pressure_dy(i)[k - list.begin(i)] * difference;
       }
       if (!near) continue;
       for (int k = list.begin(i); k < list.end(i); ++k) {

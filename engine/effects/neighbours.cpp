@@ -7,7 +7,7 @@ namespace {
 class Neighbours : public Effect {
  public:
   void apply(State& state) override {
-    sort_particles(state.particles, state.spacing);
+    state.neighbours.sort(state.particles);
     state.neighbours.build(state.particles);
     const auto active = static_cast<std::size_t>(state.particles.active_end());
     for (auto* field : {&state.ax, &state.ay, &state.source, &state.divergence, &state.pressure_gx,

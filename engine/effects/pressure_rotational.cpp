@@ -58,13 +58,12 @@ class PressureRotational : public Effect {
  private:
   void find_divergence(State& state) {
     const int n = state.particles.active_end();
-    excess_.resize(n);
     right_side_.resize(n);
+    operators::interleave(state.particles.u, state.particles.v, velocity_);
+    state.operators.divergences(velocity_.data(), excess_);
     const double step = BackwardDifference(state.dt, state.last_dt).weight * state.dt;
     for (int i = 0; i < n; ++i) {
-      const double divergence = state.operators.velocity_gradient(i, state.particles.u.data()).x +
-                                state.operators.velocity_gradient(i, state.particles.v.data()).y;
-      excess_[i] = divergence - state.source[i];
+      excess_[i] -= state.source[i];
       right_side_[i] = -excess_[i] / step;
     }
   }
@@ -78,31 +77,38 @@ class PressureRotational : public Effect {
     const int n = particles.active_end();
     const int with_pressure = particles.pressure_end();
     weigh_pairs(state);
-    matrix_.clear();
     for (int i = 0; i < n; ++i) {
       double diagonal = 0;
+      int at = matrix_.begin[i];
+      const int entries = at - list.begin(i);
       for (int k = list.begin(i); k < list.near_end(i); ++k) {
         const int j = list.j[k];
         if (j >= with_pressure) continue;
-        const float a = pair_weight_[k] * (density_scale_[i] + density_scale_[j]);
+        const float a = matrix_.value[entries + k] * (density_scale_[i] + density_scale_[j]);
         diagonal += a;
-        if (j < n) matrix_.add(j, -a);
+        // An entry of the outlet's is overwritten by the next one.
+        matrix_.column[at] = j;
+        matrix_.value[at] = -a;
+        at += j < n;
       }
-      matrix_.end_row(diagonal > 0 ? diagonal : 1);
+      matrix_.pad(i, at);
+      matrix_.diagonal[i] = diagonal > 0 ? diagonal : 1;
     }
   }
 
+  /// Puts the near pairs' weights where the matrix will have its entries, and sums them to densities.
   void weigh_pairs(const State& state) {
     const auto& list = state.neighbours;
     const auto inverse_reach = static_cast<float>(1 / state.near_radius);
     const auto scale = static_cast<float>(0.5 * laplacian_scale_);
-    pair_weight_.resize(list.j.size());
+    matrix_.lay_out(list.rows(), [&](int i) { return list.near_end(i) - list.begin(i); });
     density_scale_.assign(state.particles.pressure_end(), 1);
     for (int i = 0; i < list.rows(); ++i) {
+      const int n = list.near_end(i) - list.begin(i);
+      const float* r = list.r.data() + list.begin(i);
+      float* out = matrix_.value.data() + matrix_.begin[i];
       float density = 0;
-      const float* r = list.r.data();
-      float* out = pair_weight_.data();
-      for (int k = list.begin(i); k < list.near_end(i); ++k) {
+      for (int k = 0; k < n; ++k) {
         const float q = std::max(1 - r[k] * inverse_reach, 0.0F);
         density += q * q;
         out[k] = scale * (q * q);
@@ -121,10 +127,10 @@ class PressureRotational : public Effect {
     const double step = BackwardDifference(state.dt, state.last_dt).weight * state.dt;
     for (int i = 0; i < n; ++i) particles.phi[i] = increment_[i];
     for (int i = n; i < particles.size(); ++i) particles.phi[i] = 0;
+    state.operators.pressure_gradients(particles.phi.data(), gradients_);
     for (int i = 0; i < n; ++i) {
-      const operators::Gradient g = state.operators.pressure_gradient(i, particles.phi.data());
-      particles.u[i] -= step * g.x;
-      particles.v[i] -= step * g.y;
+      particles.u[i] -= step * gradients_[2 * i];
+      particles.v[i] -= step * gradients_[2 * i + 1];
       particles.p[i] += particles.phi[i] - state.viscosity * excess_[i];
     }
   }
@@ -143,8 +149,9 @@ class PressureRotational : public Effect {
   linear::SparseRows matrix_;
   linear::GridAggregates aggregates_;
   linear::TwoLevelCg solver_;
-  std::vector<float> pair_weight_, density_scale_;
+  std::vector<float> density_scale_;
   std::vector<double> excess_, right_side_, increment_;
+  std::vector<double> velocity_, gradients_;
 };
 
 }  // namespace

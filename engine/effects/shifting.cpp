@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/particles/periodic.h"
+#include "engine/simd/kernels.h"
 
 namespace rouleau::effects {
 
@@ -15,28 +15,37 @@ constexpr double longest = 0.1;   // spacings a step
 class Shifting : public Effect {
  public:
   void apply(State& state) override {
+    const auto& particles = state.particles;
     const auto& list = state.neighbours;
-    for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
-      double cx = 0, cy = 0;
-      const auto crowd = [&](int j) {
-        const double dx = particles::nearest_image(state.next_x[i] - state.next_x[j], list.period_x());
-        const double dy = particles::nearest_image(state.next_y[i] - state.next_y[j], list.period_y());
+    moved_.resize(2 * static_cast<std::size_t>(particles.size()));
+    for (int i = 0; i < particles.size(); ++i) {
+      moved_[2 * i] = static_cast<float>(state.next_x[i] - particles.x[i]);
+      moved_[2 * i + 1] = static_cast<float>(state.next_y[i] - particles.y[i]);
+    }
+    crowding_.resize(2 * static_cast<std::size_t>(list.rows()));
+    // A pair just outside the near radius may have come into it during the step: whole rows are taken.
+    simd::kernels().crowding(list.pair_rows(), list.dx.data(), list.dy.data(), moved_.data(),
+                             static_cast<float>(state.near_radius), crowding_.data());
+    for (int i = particles.membrane_end(); i < list.rows(); ++i) {
+      double cx = crowding_[2 * i], cy = crowding_[2 * i + 1];
+      for (int k = list.ghost_begin(i); k < list.ghost_end(i); ++k) {
+        const double dx = moved_[2 * i] - list.ghost_dx[k];
+        const double dy = moved_[2 * i + 1] - list.ghost_dy[k];
         const double r = std::sqrt(dx * dx + dy * dy);
-        const double q = 1 - r / state.near_radius;
-        if (q <= 0) return;
+        const double q = std::max(1 - r / state.near_radius, 0.0);
         const double f = q * q * q / (r + 1e-9 * state.spacing);
         cx += f * dx;
         cy += f * dy;
-      };
-      // A pair just outside the near radius may have come into it during the step: take the whole row.
-      for (int k = list.begin(i); k < list.end(i); ++k) crowd(list.j[k]);
-      for (int k = list.ghost_begin(i); k < list.ghost_end(i); ++k) crowd(list.ghost[k]);
-      const double length = strength * std::hypot(cx, cy);
+      }
+      const double length = strength * std::sqrt(cx * cx + cy * cy);
       const double scale = state.spacing * strength * std::min(1.0, longest / std::max(length, 1e-30));
       state.shift_x[i] += scale * cx;
       state.shift_y[i] += scale * cy;
     }
   }
+
+ private:
+  std::vector<float> moved_, crowding_;
 };
 
 }  // namespace

@@ -11,23 +11,27 @@ class Transport : public Effect {
   void apply(State& state) override {
     auto& particles = state.particles;
     const int n = particles.active_end();
-    u_ = particles.u;
-    v_ = particles.v;
-    p_ = particles.p;
+    fields_.resize(4 * particles.u.size());
+    for (int i = 0; i < particles.size(); ++i) {
+      fields_[4 * i] = particles.u[i];
+      fields_[4 * i + 1] = particles.v[i];
+      fields_[4 * i + 2] = particles.p[i];
+    }
+    state.operators.field_gradients(fields_.data(), particles.p.data(), gradients_);
+    average_membranes(state);
     for (int i = 0; i < n; ++i) {
-      const operators::Gradient gu = state.operators.velocity_gradient(i, u_.data());
-      const operators::Gradient gv = state.operators.velocity_gradient(i, v_.data());
-      const operators::Gradient gp = state.operators.pressure_gradient(i, p_.data());
-      state.pressure_gx[i] = gp.x;
-      state.pressure_gy[i] = gp.y;
+      // Derivatives of u, v and p.
+      const double *dx = &gradients_[8 * i], *dy = dx + 4;
+      state.pressure_gx[i] = dx[2];
+      state.pressure_gy[i] = dy[2];
       if (i < particles.membrane_end()) continue;
       const double sx = state.shift_x[i], sy = state.shift_y[i];
-      particles.u[i] += sx * gu.x + sy * gu.y;
-      particles.v[i] += sx * gv.x + sy * gv.y;
       // The pressure field stands still, but beside a membrane it moves along with it.
-      const operators::Gradient field = membrane_velocity(state, i);
-      particles.p[i] +=
-          (sx + state.dt * (u_[i] - field.x)) * gp.x + (sy + state.dt * (v_[i] - field.y)) * gp.y;
+      const double wx = sx + state.dt * (fields_[4 * i] - membrane_[2 * i]);
+      const double wy = sy + state.dt * (fields_[4 * i + 1] - membrane_[2 * i + 1]);
+      particles.u[i] += sx * dx[0] + sy * dy[0];
+      particles.v[i] += sx * dx[1] + sy * dy[1];
+      particles.p[i] += wx * dx[2] + wy * dy[2];
     }
     smooth_pressure(state);
     for (int i = 0; i < particles.inlet_end(); ++i) {
@@ -58,7 +62,7 @@ class Transport : public Effect {
         const double q = 1 - list.r[k] / state.near_radius;
         weight += q * q;
         excess += q * q *
-                  (p_[j] - p_[i] -
+                  (fields_[4 * j + 2] - fields_[4 * i + 2] -
                    0.5 * ((state.pressure_gx[i] + state.pressure_gx[j]) * list.dx[k] +
                           (state.pressure_gy[i] + state.pressure_gy[j]) * list.dy[k]));
       }
@@ -66,22 +70,30 @@ class Transport : public Effect {
     }
   }
 
-  operators::Gradient membrane_velocity(const State& state, int i) const {
+  /// For each active particle the mean velocity of the membrane nodes near it, 0 where there is none.
+  void average_membranes(const State& state) {
     const auto& list = state.neighbours;
-    operators::Gradient sum;
-    int count = 0;
-    for (int k = list.begin(i); k < list.end(i); ++k) {
-      const int j = list.j[k];
-      if (j >= state.particles.membrane_end()) continue;
-      sum.x += u_[j];
-      sum.y += v_[j];
-      ++count;
+    const int n = list.rows();
+    membrane_.assign(2 * static_cast<std::size_t>(n), 0);
+    nodes_.assign(n, 0);
+    for (int node = 0; node < state.particles.membrane_end(); ++node) {
+      for (int k = list.begin(node); k < list.end(node); ++k) {
+        const int i = list.j[k];
+        if (i >= n) continue;
+        membrane_[2 * i] += fields_[4 * node];
+        membrane_[2 * i + 1] += fields_[4 * node + 1];
+        ++nodes_[i];
+      }
     }
-    if (count == 0) return {};
-    return {sum.x / count, sum.y / count};
+    for (int i = 0; i < n; ++i) {
+      if (nodes_[i] == 0) continue;
+      membrane_[2 * i] /= nodes_[i];
+      membrane_[2 * i + 1] /= nodes_[i];
+    }
   }
 
-  std::vector<double> u_, v_, p_;
+  std::vector<double> fields_, gradients_, membrane_;
+  std::vector<int> nodes_;
 };
 
 }  // namespace

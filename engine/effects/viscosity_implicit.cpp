@@ -1,7 +1,6 @@
 #include "engine/effects/viscosity_implicit.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/effects/backward_difference.h"
@@ -36,86 +35,50 @@ class ViscosityImplicit : public Effect {
   }
 
  private:
-  /// Rows scaled by their diagonal, on the pattern of the neighbour list: pairs with walls and buffers have
-  /// weight 0, as their velocities do not change. The right-hand side is the residual of the present
-  /// velocities, so that the unknown is their change.
+  /// Rows scaled by their diagonal. Pairs with walls and buffers count for nothing in the products, as their
+  /// velocities do not change: the vectors are padded with zeros. The right-hand side is the residual of the
+  /// present velocities, so that the unknown is their change.
   void assemble(State& state) {
     const auto& particles = state.particles;
-    const auto& list = state.neighbours;
-    const float* laplacian = state.operators.laplacian().data();
     const int n = particles.active_end();
     const double dt = state.dt;
     const BackwardDifference in_time(state.dt, state.last_dt);
     const double diffusion = in_time.weight * dt * state.viscosity;
-    weight_.resize(list.j.size());
     inverse_diagonal_.resize(n);
     // Padded to all that a pair can point to.
     const auto length = 2 * static_cast<std::size_t>(particles.velocity_end());
     residual_.assign(length, 0);
     change_.assign(length, 0);
     rate_.assign(length, 0);
-    velocity_.resize(length);
-    for (int i = 0; i < particles.velocity_end(); ++i) {
-      velocity_[2 * i] = particles.u[i];
-      velocity_[2 * i + 1] = particles.v[i];
-    }
+    operators::interleave(particles.u, particles.v, velocity_);
     for (const ImplicitForce* force : state.implicit_forces) force->add_rate(velocity_.data(), rate_.data());
+    state.operators.velocity_laplacians(velocity_.data(), laplacian_, weights_);
+    state.operators.pressure_gradients(particles.p.data(), slope_);
     for (int i = 0; i < n; ++i) {
-      const int begin = list.begin(i), end = list.end(i);
-      const int* j = list.j.data();
-      const double* velocity = velocity_.data();
-      const double u = velocity[2 * i], v = velocity[2 * i + 1];
-      double sum = 0, lu = 0, lv = 0;
-#pragma omp simd reduction(+ : sum, lu, lv)
-      for (int k = begin; k < end; ++k) {
-        sum += laplacian[k];
-        lu += laplacian[k] * (velocity[2 * j[k]] - u);
-        lv += laplacian[k] * (velocity[2 * j[k] + 1] - v);
+      inverse_diagonal_[i] = 1 / (1 + diffusion * weights_[i]);
+      const double force[2] = {state.ax[i], state.ay[i]}, last[2] = {particles.du[i], particles.dv[i]};
+      for (int d = 0; d < 2; ++d) {
+        const int k = 2 * i + d;
+        residual_[k] =
+            inverse_diagonal_[i] * (in_time.weight * dt * (force[d] - slope_[k]) + in_time.history * last[d] +
+                                    diffusion * laplacian_[k] + in_time.weight * dt * dt * rate_[k]);
       }
-      const double inverse = 1 / (1 + diffusion * sum);
-      const auto scale = static_cast<float>(-diffusion * inverse);
-      float* weight = weight_.data();
-#pragma omp simd
-      for (int k = begin; k < end; ++k) weight[k] = j[k] < n ? scale * laplacian[k] : 0.0F;
-      inverse_diagonal_[i] = inverse;
-      const operators::Gradient gp = state.operators.pressure_gradient(i, particles.p.data());
-      const double g = in_time.weight, h = in_time.history;
-      residual_[2 * i] = inverse * (g * dt * (state.ax[i] - gp.x) + h * particles.du[i] + diffusion * lu +
-                                    g * dt * dt * rate_[2 * i]);
-      residual_[2 * i + 1] = inverse * (g * dt * (state.ay[i] - gp.y) + h * particles.dv[i] + diffusion * lv +
-                                        g * dt * dt * rate_[2 * i + 1]);
     }
   }
 
   void multiply(const State& state, std::span<const double> in, std::span<double> out) {
-    const auto& list = state.neighbours;
-    const int n = list.rows();
-    const int* j = list.j.data();
-    const float* weight = weight_.data();
-    const double* from = in.data();
+    const int n = state.neighbours.rows();
+    state.operators.laplacian_products(in.data(), out.data());
+    const double diffusion = BackwardDifference(state.dt, state.last_dt).weight * state.dt * state.viscosity;
     for (int i = 0; i < n; ++i) {
-      // Both components of a neighbour lie side by side: one load each. Four sums at once, since each is a
-      // chain of dependent additions.
-      std::array<double, 8> sum{from[2 * i], from[2 * i + 1]};
-      const int end = list.end(i);
-      int k = list.begin(i);
-      for (; k + 4 <= end; k += 4) {
-        for (int lane = 0; lane < 4; ++lane) {
-          sum[2 * lane] += weight[k + lane] * from[2 * j[k + lane]];
-          sum[2 * lane + 1] += weight[k + lane] * from[2 * j[k + lane] + 1];
-        }
-      }
-      for (; k < end; ++k) {
-        sum[0] += weight[k] * from[2 * j[k]];
-        sum[1] += weight[k] * from[2 * j[k] + 1];
-      }
-      out[2 * i] = (sum[0] + sum[2]) + (sum[4] + sum[6]);
-      out[2 * i + 1] = (sum[1] + sum[3]) + (sum[5] + sum[7]);
+      const double scale = -diffusion * inverse_diagonal_[i];
+      out[2 * i] = in[2 * i] + scale * out[2 * i];
+      out[2 * i + 1] = in[2 * i + 1] + scale * out[2 * i + 1];
     }
     std::fill(out.begin() + 2 * n, out.end(), 0.0);
     if (state.implicit_forces.empty()) return;
     std::fill(rate_.begin(), rate_.end(), 0.0);
-    for (const ImplicitForce* force : state.implicit_forces) force->add_rate(from, rate_.data());
+    for (const ImplicitForce* force : state.implicit_forces) force->add_rate(in.data(), rate_.data());
     const double dt2 = BackwardDifference(state.dt, state.last_dt).weight * state.dt * state.dt;
     for (int i = 0; i < n; ++i) {
       out[2 * i] -= dt2 * inverse_diagonal_[i] * rate_[2 * i];
@@ -141,8 +104,8 @@ class ViscosityImplicit : public Effect {
   }
 
   linear::BiCgStab solver_;
-  std::vector<float> weight_;
-  std::vector<double> inverse_diagonal_, residual_, change_, velocity_, rate_;
+  std::vector<double> inverse_diagonal_, weights_, residual_, change_, velocity_, rate_;
+  std::vector<double> laplacian_, slope_;
 };
 
 }  // namespace

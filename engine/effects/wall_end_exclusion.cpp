@@ -17,7 +17,7 @@ class WallEndExclusion : public Effect {
     for (int i = state.particles.pressure_end(); i < list.rows(); ++i) {
       projection.has_pressure[i] = projection.density[i] >= least;
     }
-    for (std::size_t k = 0; k < list.j.size(); ++k) {
+    for (int k = 0; k < list.pairs(); ++k) {
       if (!projection.has_pressure[list.j[k]]) projection.weights.pair[k] = 0;
     }
   }

@@ -17,6 +17,8 @@ class JacobiCg {
               int max_iterations);
 
  private:
+  double true_residual(const SparseRows& matrix, std::span<const double> b, std::span<const double> x);
+
   std::vector<double> r_, z_, p_, q_;
 };
 

@@ -1,14 +1,17 @@
 #pragma once
 
-#include <array>
-#include <span>
 #include <vector>
+
+#include "engine/simd/kernels.h"
 
 namespace rouleau::linear {
 
-/// A square matrix as a diagonal and compressed rows of off-diagonal entries. Entries in float: the weights
-/// carry no more than that, and the products are summed in double.
+/// A square matrix as a diagonal and compressed rows of off-diagonal entries, each padded to a multiple of
+/// four with zeros. Entries in float: the weights carry no more than that, and the products are summed in
+/// double.
 struct SparseRows {
+  static constexpr int padding = 4;
+
   std::vector<double> diagonal;  ///< [rows]
   std::vector<int> begin;        ///< [rows + 1]
   std::vector<int> column;       ///< [entries]
@@ -29,21 +32,35 @@ struct SparseRows {
   }
 
   void end_row(double d) {
+    while (column.size() % padding != 0) add(rows(), 0);
     diagonal.push_back(d);
     begin.push_back(static_cast<int>(column.size()));
   }
 
-  /// Entry i of the product with `in`. Four sums at once, since each is a chain of dependent additions, and
-  /// plain loads, which are faster than gathers.
-  double row_times(int i, const double* in) const {
-    std::array<double, 4> sum{diagonal[i] * in[i], 0, 0, 0};
-    const int end = begin[i + 1];
-    int k = begin[i];
-    for (; k + 4 <= end; k += 4) {
-      for (int lane = 0; lane < 4; ++lane) sum[lane] += value[k + lane] * in[column[k + lane]];
+  /// Makes room for rows of at most these lengths, to be written in place.
+  /// @param length  length(i) of row i
+  template <class Length>
+  void lay_out(int rows, const Length& length) {
+    diagonal.resize(rows);
+    begin.resize(rows + 1);
+    begin[0] = 0;
+    for (int i = 0; i < rows; ++i) begin[i + 1] = begin[i] + (length(i) + padding - 1) / padding * padding;
+    column.resize(begin[rows]);
+    value.resize(begin[rows]);
+  }
+
+  /// Fills what is left of row i from entry `at` on.
+  void pad(int i, int at) {
+    for (; at < begin[i + 1]; ++at) {
+      column[at] = i;
+      value[at] = 0;
     }
-    for (; k < end; ++k) sum[0] += value[k] * in[column[k]];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+  }
+
+  /// out = this times in
+  void times(const double* in, double* out) const {
+    simd::kernels().matrix_products({rows(), begin.data(), column.data(), value.data(), diagonal.data()}, in,
+                                    out);
   }
 };
 

@@ -93,7 +93,8 @@ Solve TwoLevelCg::solve(std::span<const double> b, std::span<double> x, double t
   r_.assign(b.begin(), b.end());
   centre(r_);
   const double goal = tolerance * std::sqrt(dot(r_, r_));
-  for (int i = 0; i < n; ++i) r_[i] -= matrix_->row_times(i, x.data());
+  matrix_->times(x.data(), q_.data());
+  for (int i = 0; i < n; ++i) r_[i] -= q_[i];
   centre(r_);
   double norm2 = dot(r_, r_);
   Solve result;
@@ -101,7 +102,7 @@ Solve TwoLevelCg::solve(std::span<const double> b, std::span<double> x, double t
   p_ = z_;
   for (; result.iterations < max_iterations; ++result.iterations) {
     if (std::sqrt(norm2) <= goal) break;
-    for (int i = 0; i < n; ++i) q_[i] = matrix_->row_times(i, p_.data());
+    matrix_->times(p_.data(), q_.data());
     const double alpha = rz / dot(p_, q_);
     double *r = r_.data(), *p = p_.data(), *q = q_.data(), *out = x.data();
     norm2 = 0;

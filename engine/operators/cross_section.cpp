@@ -7,10 +7,10 @@ namespace rouleau::operators {
 
 namespace {
 
-Sampler sampler_along(const particles::ParticleSet& particles, const SamplingPlane& plane) {
+void file_along(const particles::ParticleSet& particles, const SamplingPlane& plane, Sampler& sampler) {
   const auto [x0, x1] = std::minmax(plane.from[0], plane.to[0]);
   const auto [y0, y1] = std::minmax(plane.from[1], plane.to[1]);
-  return {particles, plane.reach, {x0, y0, x1, y1}};
+  sampler.file(particles, plane.reach, {x0, y0, x1, y1});
 }
 
 /// Simpson's rule for the mean along the plane.
@@ -40,12 +40,19 @@ double length(const SamplingPlane& plane) {
   return std::hypot(plane.to[0] - plane.from[0], plane.to[1] - plane.from[1]);
 }
 
+double measure_flux(const particles::ParticleSet& particles, const SamplingPlane& plane, Sampler& sampler) {
+  file_along(particles, plane, sampler);
+  return flux(sampler, plane);
+}
+
 double measure_flux(const particles::ParticleSet& particles, const SamplingPlane& plane) {
-  return flux(sampler_along(particles, plane), plane);
+  Sampler sampler;
+  return measure_flux(particles, plane, sampler);
 }
 
 CrossSection measure(const particles::ParticleSet& particles, const SamplingPlane& plane) {
-  const Sampler sampler = sampler_along(particles, plane);
+  Sampler sampler;
+  file_along(particles, plane, sampler);
   return {flux(sampler, plane), mean(plane, [&](double x, double y) { return sampler.pressure(x, y); })};
 }
 

@@ -30,4 +30,7 @@ CrossSection measure(const particles::ParticleSet& particles, const SamplingPlan
 /// The flux alone.
 double measure_flux(const particles::ParticleSet& particles, const SamplingPlane& plane);
 
+/// The same in the memory of a sampler, for those who measure every step.
+double measure_flux(const particles::ParticleSet& particles, const SamplingPlane& plane, Sampler& sampler);
+
 }  // namespace rouleau::operators

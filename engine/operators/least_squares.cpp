@@ -1,228 +1,167 @@
 #include "engine/operators/least_squares.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "engine/operators/poor_fit.h"
+#include "engine/simd/kernels.h"
 
 namespace rouleau::operators {
 
 namespace {
 
-constexpr int terms = 5;
-using Coefficients = std::array<double, terms>;
+using particles::NeighbourList;
 
-/// The normal matrix of the basis {X, Y, X^2, XY, Y^2}, from its twelve moments.
-struct Moments {
-  float m20 = 0, m11 = 0, m02 = 0, m30 = 0, m21 = 0, m12 = 0, m03 = 0;
-  float m40 = 0, m31 = 0, m22 = 0, m13 = 0, m04 = 0;
-};
+constexpr int everybody = std::numeric_limits<int>::max();
 
-Moments sum_moments(const float* X, const float* Y, const float* w, int n) {
-  float m20 = 0, m11 = 0, m02 = 0, m30 = 0, m21 = 0, m12 = 0, m03 = 0;
-  float m40 = 0, m31 = 0, m22 = 0, m13 = 0, m04 = 0;
-#pragma omp simd reduction(+ : m20, m11, m02, m30, m21, m12, m03, m40, m31, m22, m13, m04)
+FitRow row_of(const NeighbourList& list, int i, int j_end) {
+  const int begin = list.begin(i);
+  return {&list.dx[begin],
+          &list.dy[begin],
+          &list.r[begin],
+          &list.j[begin],
+          list.padded_end(i) - begin,
+          static_cast<float>(list.radius()),
+          j_end};
+}
+
+Gradient weighted_sum(const NeighbourList& list, int i, const float* wx, const float* wy,
+                      const double* field) {
+  const int* j = &list.j[list.begin(i)];
+  const int n = list.end(i) - list.begin(i);
+  Gradient sum;
   for (int k = 0; k < n; ++k) {
-    const float xx = X[k] * X[k], xy = X[k] * Y[k], yy = Y[k] * Y[k];
-    const float wxx = w[k] * xx, wxy = w[k] * xy, wyy = w[k] * yy;
-    m20 += wxx;
-    m11 += wxy;
-    m02 += wyy;
-    m30 += wxx * X[k];
-    m21 += wxx * Y[k];
-    m12 += wyy * X[k];
-    m03 += wyy * Y[k];
-    m40 += wxx * xx;
-    m31 += wxx * xy;
-    m22 += wxx * yy;
-    m13 += wyy * xy;
-    m04 += wyy * yy;
+    const double difference = field[j[k]] - field[i];
+    sum.x += wx[k] * difference;
+    sum.y += wy[k] * difference;
   }
-  return {m20, m11, m02, m30, m21, m12, m03, m40, m31, m22, m13, m04};
-}
-
-/// Cholesky factor of the 5x5 normal matrix.
-class NormalMatrix {
- public:
-  explicit NormalMatrix(const Moments& m)
-      : a_{{{m.m20},
-            {m.m11, m.m02},
-            {m.m30, m.m21, m.m40},
-            {m.m21, m.m12, m.m31, m.m22},
-            {m.m12, m.m03, m.m22, m.m13, m.m04}}} {}
-
-  /// Tikhonov damping, light on the linear terms and heavy on the quadratic ones.
-  void damp() {
-    const double trace = a_[0][0] + a_[1][1] + 1e-3;
-    for (int q = 0; q < terms; ++q) a_[q][q] += (q < 2 ? 1e-4 : 0.05) * trace;
-  }
-
-  bool factor() {
-    for (int i = 0; i < terms; ++i) {
-      for (int j = 0; j <= i; ++j) {
-        double s = a_[i][j];
-        for (int k = 0; k < j; ++k) s -= a_[i][k] * a_[j][k];
-        if (i == j) {
-          if (!(s > 1e-6)) return false;
-          a_[i][i] = std::sqrt(s);
-        } else {
-          a_[i][j] = s / a_[j][j];
-        }
-      }
-    }
-    return true;
-  }
-
-  Coefficients solve(Coefficients b) const {
-    for (int i = 0; i < terms; ++i) {
-      for (int k = 0; k < i; ++k) b[i] -= a_[i][k] * b[k];
-      b[i] /= a_[i][i];
-    }
-    for (int i = terms - 1; i >= 0; --i) {
-      for (int k = i + 1; k < terms; ++k) b[i] -= a_[k][i] * b[k];
-      b[i] /= a_[i][i];
-    }
-    return b;
-  }
-
- private:
-  std::array<std::array<double, terms>, terms> a_;
-};
-
-struct Fit {
-  Coefficients dx{}, dy{}, laplacian{};
-  bool poor = false;
-};
-
-constexpr Coefficients unit_dx{1, 0, 0, 0, 0}, unit_dy{0, 1, 0, 0, 0}, unit_laplacian{0, 0, 2, 0, 2};
-
-Fit fit_velocity(const Moments& moments) {
-  NormalMatrix matrix(moments);
-  Fit fit;
-  if (!matrix.factor()) {
-    fit.poor = true;
-    matrix = NormalMatrix(moments);
-    matrix.damp();
-    if (!matrix.factor()) return fit;
-  }
-  fit.dx = matrix.solve(unit_dx);
-  fit.dy = matrix.solve(unit_dy);
-  fit.laplacian = matrix.solve(unit_laplacian);
-  return fit;
-}
-
-Fit fit_pressure(const Moments& moments) {
-  NormalMatrix matrix(moments);
-  Fit fit;
-  if (matrix.factor()) {
-    fit.dx = matrix.solve(unit_dx);
-    fit.dy = matrix.solve(unit_dy);
-    return fit;
-  }
-  fit.poor = true;
-  const double a = moments.m20, b = moments.m11, c = moments.m02;
-  const double determinant = a * c - b * b;
-  if (determinant < 1e-8) return fit;
-  fit.dx = {c / determinant, -b / determinant, 0, 0, 0};
-  fit.dy = {-b / determinant, a / determinant, 0, 0, 0};
-  return fit;
-}
-
-void write_weights(const Coefficients& c, double scale, const float* X, const float* Y, const float* w, int n,
-                   float* out) {
-  std::array<float, terms> a;
-  for (int q = 0; q < terms; ++q) a[q] = static_cast<float>(c[q] * scale);
-#pragma omp simd
-  for (int k = 0; k < n; ++k) {
-    out[k] =
-        w[k] * (a[0] * X[k] + a[1] * Y[k] + a[2] * X[k] * X[k] + a[3] * X[k] * Y[k] + a[4] * Y[k] * Y[k]);
-  }
-}
-
-/// Four sums at once, since each is a chain of dependent additions.
-Gradient weighted_sum(const int* j, const float* wx, const float* wy, int n, const double* field,
-                      double here) {
-  std::array<double, 4> sx{}, sy{};
-  int k = 0;
-  for (; k + 4 <= n; k += 4) {
-    for (int lane = 0; lane < 4; ++lane) {
-      const double difference = field[j[k + lane]] - here;
-      sx[lane] += wx[k + lane] * difference;
-      sy[lane] += wy[k + lane] * difference;
-    }
-  }
-  for (; k < n; ++k) {
-    const double difference = field[j[k]] - here;
-    sx[0] += wx[k] * difference;
-    sy[0] += wy[k] * difference;
-  }
-  return {(sx[0] + sx[1]) + (sx[2] + sx[3]), (sy[0] + sy[1]) + (sy[2] + sy[3])};
+  return sum;
 }
 
 }  // namespace
 
-void LeastSquares::build(const particles::ParticleSet& particles, const particles::NeighbourList& list) {
+void LeastSquares::build(const particles::ParticleSet& particles, const NeighbourList& list) {
   list_ = &list;
-  const std::size_t pairs = list.j.size();
-  for (auto* weights : {&dx_, &dy_, &laplacian_, &pressure_dx_, &pressure_dy_}) weights->resize(pairs);
-  for (auto* scratch : {&X_, &Y_, &w_}) scratch->resize(list.longest_row());
   poor_rows_ = 0;
-  for (int i = 0; i < list.rows(); ++i) fit_row(list, i, particles.pressure_end());
+  place_pressure_rows(particles.pressure_end());
+  fit_velocities();
+  fit_pressures(particles.pressure_end());
 }
 
-void LeastSquares::fit_row(const particles::NeighbourList& list, int i, int pressure_end) {
-  const int begin = list.begin(i);
-  const int n = list.end(i) - begin;
-  // Offsets in units of half the radius keep the moments near one.
-  const auto inverse_radius = static_cast<float>(1 / list.radius());
-  const float scale = 2 * inverse_radius;
-  const float* rdx = list.dx.data() + begin;
-  const float* rdy = list.dy.data() + begin;
-  const float* rr = list.r.data() + begin;
-  const int* j = list.j.data() + begin;
-  float* X = X_.data();
-  float* Y = Y_.data();
-  float* w = w_.data();
-  int without_pressure = 0;
-#pragma omp simd reduction(+ : without_pressure)
-  for (int k = 0; k < n; ++k) {
-    const float q = 1 - rr[k] * inverse_radius;
-    X[k] = rdx[k] * scale;
-    Y[k] = rdy[k] * scale;
-    w[k] = q * q;
-    without_pressure += j[k] >= pressure_end;
+void LeastSquares::place_pressure_rows(int pressure_end) {
+  const int rows = list_->rows();
+  all_rows_.resize(rows);
+  std::iota(all_rows_.begin(), all_rows_.end(), 0);
+  pressure_begin_.assign(list_->row_begins(), list_->row_begins() + rows);
+  walled_rows_.clear();
+  int at = list_->pairs();
+  for (int i = 0; i < rows; ++i) {
+    if (list_->last_neighbour(i) < pressure_end) continue;
+    walled_rows_.push_back(i);
+    pressure_begin_[i] = at;
+    at += list_->padded_end(i) - list_->begin(i);
   }
+  // One more, so that an empty last row has a place, too.
+  dx_.resize(at + 1);
+  dy_.resize(at + 1);
+  laplacian_.resize(list_->pairs() + 1);
+}
 
-  const Fit velocity = fit_velocity(sum_moments(X, Y, w, n));
-  poor_rows_ += velocity.poor;
-  write_weights(velocity.dx, scale, X, Y, w, n, dx_.data() + begin);
-  write_weights(velocity.dy, scale, X, Y, w, n, dy_.data() + begin);
-  write_weights(velocity.laplacian, scale * scale, X, Y, w, n, laplacian_.data() + begin);
+void LeastSquares::fit_velocities() {
+  const NeighbourList& list = *list_;
+  poor_.resize(all_rows_.size());
+  simd::kernels().fit(list.pair_rows(), {list.dx.data(), list.dy.data(), list.r.data()},
+                      {{all_rows_.data(), list.rows(), list.row_begins()},
+                       everybody,
+                       static_cast<float>(list.radius()),
+                       dx_.data(),
+                       dy_.data(),
+                       laplacian_.data(),
+                       poor_.data()});
+  for (int i = 0; i < list.rows(); ++i) {
+    if (!poor_[i]) continue;
+    ++poor_rows_;
+    const FitRow row = row_of(list, i, everybody);
+    const FitCoefficients fit = damped_fit(row);
+    write_weights(row, fit.dx, 1, &dx_[list.begin(i)]);
+    write_weights(row, fit.dy, 1, &dy_[list.begin(i)]);
+    write_weights(row, fit.laplacian, 2, &laplacian_[list.begin(i)]);
+  }
+}
 
-  if (without_pressure == 0) {
-    for (int k = begin; k < begin + n; ++k) {
-      pressure_dx_[k] = dx_[k];
-      pressure_dy_[k] = dy_[k];
-    }
-    return;
+void LeastSquares::fit_pressures(int pressure_end) {
+  const NeighbourList& list = *list_;
+  const int rows = static_cast<int>(walled_rows_.size());
+  simd::kernels().fit(list.pair_rows(), {list.dx.data(), list.dy.data(), list.r.data()},
+                      {{walled_rows_.data(), rows, pressure_begin_.data()},
+                       pressure_end,
+                       static_cast<float>(list.radius()),
+                       dx_.data(),
+                       dy_.data(),
+                       nullptr,
+                       poor_.data()});
+  for (int k = 0; k < rows; ++k) {
+    if (!poor_[k]) continue;
+    ++poor_rows_;
+    const int i = walled_rows_[k];
+    const FitRow row = row_of(list, i, pressure_end);
+    const FitCoefficients fit = linear_fit(row);
+    write_weights(row, fit.dx, 1, &dx_[pressure_begin_[i]]);
+    write_weights(row, fit.dy, 1, &dy_[pressure_begin_[i]]);
   }
-  for (int k = 0; k < n; ++k) {
-    if (j[k] >= pressure_end) w[k] = 0;
-  }
-  const Fit pressure = fit_pressure(sum_moments(X, Y, w, n));
-  poor_rows_ += pressure.poor;
-  write_weights(pressure.dx, scale, X, Y, w, n, pressure_dx_.data() + begin);
-  write_weights(pressure.dy, scale, X, Y, w, n, pressure_dy_.data() + begin);
 }
 
 Gradient LeastSquares::velocity_gradient(int i, const double* field) const {
-  const int begin = list_->begin(i);
-  return weighted_sum(list_->j.data() + begin, dx_.data() + begin, dy_.data() + begin, list_->end(i) - begin,
-                      field, field[i]);
+  return weighted_sum(*list_, i, dx(i), dy(i), field);
 }
 
 Gradient LeastSquares::pressure_gradient(int i, const double* field) const {
-  const int begin = list_->begin(i);
-  return weighted_sum(list_->j.data() + begin, pressure_dx_.data() + begin, pressure_dy_.data() + begin,
-                      list_->end(i) - begin, field, field[i]);
+  return weighted_sum(*list_, i, pressure_dx(i), pressure_dy(i), field);
+}
+
+void LeastSquares::divergences(const double* uv, std::vector<double>& out) const {
+  out.resize(all_rows_.size());
+  simd::kernels().divergences(list_->pair_rows(), dx_.data(), dy_.data(), uv, out.data());
+}
+
+void LeastSquares::pressure_gradients(const double* p, std::vector<double>& out) const {
+  out.resize(2 * all_rows_.size());
+  simd::kernels().gradients(list_->pair_rows(), {all_rows_.data(), list_->rows(), pressure_begin_.data()},
+                            dx_.data(), dy_.data(), p, out.data());
+}
+
+void LeastSquares::field_gradients(const double* fields, const double* p, std::vector<double>& out) {
+  out.resize(8 * all_rows_.size());
+  simd::kernels().field_gradients(list_->pair_rows(), dx_.data(), dy_.data(), fields, out.data());
+  const int walled = static_cast<int>(walled_rows_.size());
+  walled_gradients_.resize(2 * walled_rows_.size());
+  simd::kernels().gradients(list_->pair_rows(), {walled_rows_.data(), walled, pressure_begin_.data()},
+                            dx_.data(), dy_.data(), p, walled_gradients_.data());
+  for (int k = 0; k < walled; ++k) {
+    double* const of_row = &out[8 * static_cast<std::size_t>(walled_rows_[k])];
+    of_row[2] = walled_gradients_[2 * k];
+    of_row[6] = walled_gradients_[2 * k + 1];
+  }
+}
+
+void LeastSquares::velocity_laplacians(const double* uv, std::vector<double>& out,
+                                       std::vector<double>& weights) const {
+  out.resize(2 * all_rows_.size());
+  weights.resize(all_rows_.size());
+  simd::kernels().velocity_laplacians(list_->pair_rows(), laplacian_.data(), uv, out.data(), weights.data());
+}
+
+void LeastSquares::laplacian_products(const double* uv, double* out) const {
+  simd::kernels().velocity_products(list_->pair_rows(), laplacian_.data(), uv, out);
+}
+
+void interleave(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& uv) {
+  uv.resize(2 * u.size());
+  for (std::size_t i = 0; i < u.size(); ++i) {
+    uv[2 * i] = u[i];
+    uv[2 * i + 1] = v[i];
+  }
 }
 
 }  // namespace rouleau::operators

@@ -17,33 +17,59 @@ struct Gradient {
 /// fit (velocities) or a linear one (pressure).
 class LeastSquares {
  public:
-  /// Weights for the present positions. Particles must be sorted as the list was built.
+  /// Weights for the present positions. Particles must be sorted as the list was built; the list must live
+  /// until the next build.
   void build(const particles::ParticleSet& particles, const particles::NeighbourList& list);
 
-  /// Weight of each pair of the list in d/dx, d/dy and the Laplacian of a velocity: [pairs]
-  const std::vector<float>& dx() const { return dx_; }
-  const std::vector<float>& dy() const { return dy_; }
-  const std::vector<float>& laplacian() const { return laplacian_; }
+  /// Weights of particle i's pairs in d/dx, d/dy and the Laplacian of a velocity, in the list's order.
+  const float* dx(int i) const { return &dx_[list_->begin(i)]; }
+  const float* dy(int i) const { return &dy_[list_->begin(i)]; }
+  const float* laplacian(int i) const { return &laplacian_[list_->begin(i)]; }
+  /// The same in the gradient of a pressure.
+  const float* pressure_dx(int i) const { return &dx_[pressure_begin_[i]]; }
+  const float* pressure_dy(int i) const { return &dy_[pressure_begin_[i]]; }
 
   Gradient velocity_gradient(int i, const double* field) const;
   Gradient pressure_gradient(int i, const double* field) const;
 
-  /// The same in the pressure gradient: [pairs]
-  const std::vector<float>& pressure_dx() const { return pressure_dx_; }
-  const std::vector<float>& pressure_dy() const { return pressure_dy_; }
+  // Of all active particles at once. Velocities are interleaved (u0, v0, u1, v1, ...) and known to all that
+  // a pair can point to.
+
+  /// @param[out] out  [rows]
+  void divergences(const double* uv, std::vector<double>& out) const;
+  /// @param[out] out  [rows][2]: dp/dx, dp/dy
+  void pressure_gradients(const double* p, std::vector<double>& out) const;
+  /// Of velocities and pressure together.
+  /// @param fields  interleaved: u0, v0, p0, any, u1, ...
+  /// @param[out] out  [rows][8]: du/dx, dv/dx, dp/dx, -, du/dy, dv/dy, dp/dy, -
+  void field_gradients(const double* fields, const double* p, std::vector<double>& out);
+  /// @param[out] out  [rows][2]
+  /// @param[out] weights  [rows] the sum of each row's weights
+  void velocity_laplacians(const double* uv, std::vector<double>& out, std::vector<double>& weights) const;
+  /// What neighbours alone contribute to the Laplacian: the sums of weight x neighbour's velocity.
+  /// @param[out] out  [rows][2]
+  void laplacian_products(const double* uv, double* out) const;
 
   /// Rows whose quadratic fit failed in the last build.
   int poor_rows() const { return poor_rows_; }
 
  private:
-  void fit_row(const particles::NeighbourList& list, int i, int pressure_end);
+  void place_pressure_rows(int pressure_end);
+  void fit_velocities();
+  void fit_pressures(int pressure_end);
 
   const particles::NeighbourList* list_ = nullptr;
+  // Rows that see no wall have one set of weights for both; those of the others in the gradient of a pressure
+  // stand behind all rows.
   std::vector<float> dx_, dy_, laplacian_;
-  std::vector<float> pressure_dx_, pressure_dy_;
+  std::vector<int> pressure_begin_;
+  std::vector<int> all_rows_, walled_rows_;
+  std::vector<unsigned char> poor_;
+  std::vector<double> walled_gradients_;
   int poor_rows_ = 0;
-  // One row's scaled offsets and weights.
-  std::vector<float> X_, Y_, w_;
 };
+
+/// Velocities as the kernels take them: u0, v0, u1, v1, ...
+void interleave(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& uv);
 
 }  // namespace rouleau::operators

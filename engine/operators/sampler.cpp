@@ -69,8 +69,11 @@ int bins(double width, double radius) {
 
 }  // namespace
 
-Sampler::Sampler(const particles::ParticleSet& particles, const SamplingReach& reach, const SamplingBox& box)
-    : particles_(particles), reach_(reach), box_(box) {
+void Sampler::file(const particles::ParticleSet& particles, const SamplingReach& reach,
+                   const SamplingBox& box) {
+  particles_ = &particles;
+  reach_ = reach;
+  box_ = box;
   if (reach_.period_x > 0) box_ = {0, box_.y0, reach_.period_x, box_.y1};
   if (reach_.period_y > 0) box_ = {box_.x0, 0, box_.x1, reach_.period_y};
   const double r = reach_.radius;
@@ -89,31 +92,27 @@ int Sampler::row(double y) const {
 }
 
 void Sampler::file_particles() {
-  struct Entry {
-    int bin, index;
-    double x, y;
-  };
-  std::vector<Entry> entries;
+  entries_.clear();
   const int images_x = reach_.period_x > 0 ? 1 : 0, images_y = reach_.period_y > 0 ? 1 : 0;
-  for (int i = 0; i < particles_.velocity_end(); ++i) {
+  for (int i = 0; i < particles_->velocity_end(); ++i) {
     for (int a = -images_x; a <= images_x; ++a) {
-      const double x = folded(particles_.x[i], reach_.period_x) + a * reach_.period_x;
+      const double x = folded(particles_->x[i], reach_.period_x) + a * reach_.period_x;
       if (!(x > box_.x0 && x < box_.x1)) continue;
       for (int b = -images_y; b <= images_y; ++b) {
-        const double y = folded(particles_.y[i], reach_.period_y) + b * reach_.period_y;
-        if (y > box_.y0 && y < box_.y1) entries.push_back({row(y) * columns_ + column(x), i, x, y});
+        const double y = folded(particles_->y[i], reach_.period_y) + b * reach_.period_y;
+        if (y > box_.y0 && y < box_.y1) entries_.push_back({row(y) * columns_ + column(x), i, x, y});
       }
     }
   }
   bin_begin_.assign(static_cast<std::size_t>(columns_ * rows_ + 1), 0);
-  for (const Entry& entry : entries) ++bin_begin_[entry.bin + 1];
+  for (const Entry& entry : entries_) ++bin_begin_[entry.bin + 1];
   std::partial_sum(bin_begin_.begin(), bin_begin_.end(), bin_begin_.begin());
-  filed_.resize(entries.size());
-  filed_x_.resize(entries.size());
-  filed_y_.resize(entries.size());
-  std::vector<int> next(bin_begin_.begin(), bin_begin_.end() - 1);
-  for (const Entry& entry : entries) {
-    const int at = next[entry.bin]++;
+  filed_.resize(entries_.size());
+  filed_x_.resize(entries_.size());
+  filed_y_.resize(entries_.size());
+  next_.assign(bin_begin_.begin(), bin_begin_.end() - 1);
+  for (const Entry& entry : entries_) {
+    const int at = next_[entry.bin]++;
     filed_[at] = entry.index;
     filed_x_[at] = entry.x;
     filed_y_[at] = entry.y;
@@ -142,22 +141,22 @@ void Sampler::find(double x, double y, int end, std::vector<SampledParticle>& fo
 }
 
 Velocity Sampler::velocity(double x, double y) const {
-  find(x, y, particles_.velocity_end(), found_);
+  find(x, y, particles_->velocity_end(), found_);
   const Vector row = value_row(found_);
   Velocity value;
   for (const SampledParticle& q : found_) {
     const double s = share(row, q);
-    value.u += s * particles_.u[q.index];
-    value.v += s * particles_.v[q.index];
+    value.u += s * particles_->u[q.index];
+    value.v += s * particles_->v[q.index];
   }
   return value;
 }
 
 double Sampler::pressure(double x, double y) const {
-  find(x, y, particles_.pressure_end(), found_);
+  find(x, y, particles_->pressure_end(), found_);
   const Vector row = value_row(found_);
   double value = 0;
-  for (const SampledParticle& q : found_) value += share(row, q) * particles_.p[q.index];
+  for (const SampledParticle& q : found_) value += share(row, q) * particles_->p[q.index];
   return value;
 }
 

@@ -36,7 +36,14 @@ class Sampler {
  public:
   /// Files the particles near `box`, once for many points. They must be sorted, and stay as they are while
   /// the sampler is used.
-  Sampler(const particles::ParticleSet& particles, const SamplingReach& reach, const SamplingBox& box);
+  Sampler(const particles::ParticleSet& particles, const SamplingReach& reach, const SamplingBox& box) {
+    file(particles, reach, box);
+  }
+  /// One that has yet to be given particles.
+  Sampler() = default;
+
+  /// As the constructor, in the memory of the last time.
+  void file(const particles::ParticleSet& particles, const SamplingReach& reach, const SamplingBox& box);
 
   /// Both are 0 where there is no particle. Points of a repeating vessel may lie in any image of it, others
   /// must lie in the box.
@@ -47,15 +54,21 @@ class Sampler {
   void find(double x, double y, int end, std::vector<SampledParticle>& found) const;
 
  private:
+  struct Entry {
+    int bin, index;
+    double x, y;
+  };
+
   void file_particles();
   int column(double x) const;
   int row(double y) const;
 
-  const particles::ParticleSet& particles_;
+  const particles::ParticleSet* particles_ = nullptr;
   SamplingReach reach_;
   SamplingBox box_;
   int columns_ = 1, rows_ = 1;
-  std::vector<int> bin_begin_;
+  std::vector<Entry> entries_;
+  std::vector<int> bin_begin_, next_;
   std::vector<int> filed_;
   std::vector<double> filed_x_, filed_y_;
   mutable std::vector<SampledParticle> found_;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace rouleau::particles {
@@ -34,9 +36,12 @@ class BinAxis {
 
   int bins() const { return bins_; }
   double period() const { return period_; }
-  double wrapped(double at) const;
+  double wrapped(double at) const { return period_ > 0 ? at - period_ * std::floor(at / period_) : at; }
   /// The bin of a wrapped coordinate; a stray one, and one that is not a number, goes to the rim.
-  int bin(double at) const;
+  int bin(double at) const {
+    const double place = (at - low_) * per_width_;
+    return place > 0 ? static_cast<int>(std::min(place, bins_ - 1.0)) : 0;
+  }
   double centre(int bin) const { return low_ + (bin + 0.5) * width_; }
   /// All bins within reach.
   Runs around(int bin) const;
@@ -46,9 +51,25 @@ class BinAxis {
   double period_;
   int bins_;
   double width_;
+  double per_width_;
+};
+
+/// Both directions.
+struct BinGrid {
+  BinAxis x, y;
+
+  int bins() const { return x.bins() * y.bins(); }
+  /// Number of the bin that a position is in.
+  int bin(double px, double py) const { return x.bin(x.wrapped(px)) * y.bins() + y.bin(y.wrapped(py)); }
+  /// A position relative to the centre of its bin.
+  std::array<float, 2> relative(double px, double py, int bin) const {
+    return {static_cast<float>(x.wrapped(px) - x.centre(bin / y.bins())),
+            static_cast<float>(y.wrapped(py) - y.centre(bin % y.bins()))};
+  }
 };
 
 /// Positions around one bin relative to its centre, in float: they lose no more than a row of pairs does.
+/// Padded for the kernels with places far away.
 struct Surroundings {
   std::vector<float> x, y;
   std::vector<int> id;
@@ -58,20 +79,17 @@ struct Surroundings {
 /// Some of the particles, filed by bins.
 class Bins {
  public:
-  Bins(const BinAxis& x, const BinAxis& y) : x_(x), y_(y) {}
+  explicit Bins(const BinGrid& grid) : grid_(grid) {}
 
   /// Files the particles from `first` to before `last`.
   void file(const std::vector<double>& px, const std::vector<double>& py, int first, int last);
-
-  /// Number of the bin that a position is in.
-  int bin(double px, double py) const { return x_.bin(x_.wrapped(px)) * y_.bins() + y_.bin(y_.wrapped(py)); }
-  /// A position relative to the centre of its bin.
-  std::array<float, 2> relative(double px, double py, int bin) const;
+  /// The bin of the k-th filed particle.
+  int bin_of(int k) const { return bin_of_[k]; }
   /// All filed particles that can be within the radius of something in the bin.
   void collect(int bin, Surroundings& found) const;
 
  private:
-  BinAxis x_, y_;
+  BinGrid grid_;
   std::vector<int> begin_, next_, bin_of_, id_;
   std::vector<double> filed_x_, filed_y_;
 };

@@ -9,46 +9,29 @@ NeighbourList::NeighbourList(const Extent& extent, double radius, double near_ra
                              double period_y)
     : radius_(radius),
       near_radius_(near_radius),
-      axis_x_(extent.x0, extent.x1, radius, period_x),
-      axis_y_(extent.y0, extent.y1, radius, period_y),
-      carriers_(axis_x_, axis_y_),
-      ghosts_(axis_x_, axis_y_) {}
+      grid_{{extent.x0, extent.x1, radius, period_x}, {extent.y0, extent.y1, radius, period_y}},
+      carriers_(grid_),
+      ghosts_(grid_) {}
 
 void NeighbourList::append_row(int i, float x, float y) {
-  const auto radius2 = static_cast<float>(radius_ * radius_);
-  const auto near2 = static_cast<float>(near_radius_ * near_radius_);
   const Surroundings& around = carriers_around_;
-  for (auto* found : {&near_, &far_}) {
-    found->id.resize(around.id.size() + 1);
-    found->dx.resize(around.id.size() + 1);
-    found->dy.resize(around.id.size() + 1);
+  const int at = begin_.back();
+  const auto most = static_cast<std::size_t>(around.count + 2 * simd::lanes);
+  if (at + most > j.size()) {
+    const std::size_t room = 3 * (at + most) / 2;
+    j.resize(room);
+    for (auto* values : {&dx, &dy, &r}) values->resize(room);
   }
-  int nears = 0, fars = 0;
-  // Written always and counted only if wanted: the outcome is too irregular for branches.
-  for (int k = 0; k < around.count; ++k) {
-    const float ex = around.x[k] - x, ey = around.y[k] - y;
-    const float r2 = ex * ex + ey * ey;
-    const bool within = (r2 < radius2) & (around.id[k] != i);
-    const bool close = r2 < near2;
-    near_.id[nears] = far_.id[fars] = around.id[k];
-    near_.dx[nears] = far_.dx[fars] = ex;
-    near_.dy[nears] = far_.dy[fars] = ey;
-    nears += within & close;
-    fars += within & !close;
-  }
-  const auto at = j.size();
-  const auto append = [](auto& to, const auto& a, int count_a, const auto& b, int count_b) {
-    to.insert(to.end(), a.begin(), a.begin() + count_a);
-    to.insert(to.end(), b.begin(), b.begin() + count_b);
-  };
-  append(j, near_.id, nears, far_.id, fars);
-  append(dx, near_.dx, nears, far_.dx, fars);
-  append(dy, near_.dy, nears, far_.dy, fars);
-  r.resize(j.size());
-  for (auto k = at; k < j.size(); ++k) r[k] = std::sqrt(dx[k] * dx[k] + dy[k] * dy[k]);
-  near_end_.push_back(begin_.back() + nears);
-  begin_.push_back(static_cast<int>(j.size()));
-  longest_row_ = std::max(longest_row_, nears + fars);
+  if (most > sets_.size()) sets_.resize(2 * most);
+  const simd::PairCounts found =
+      simd::kernels().find_pairs({around.x.data(), around.y.data(), around.id.data(), around.count}, i, x, y,
+                                 static_cast<float>(radius_), static_cast<float>(near_radius_),
+                                 {&j[at], &dx[at], &dy[at], sets_.data()});
+  near_end_.push_back(at + found.near);
+  end_.push_back(at + found.all);
+  last_.push_back(found.last);
+  begin_.push_back(at + simd::padded(found.all));
+  longest_row_ = std::max(longest_row_, found.all);
 }
 
 void NeighbourList::append_ghosts(float x, float y) {
@@ -56,8 +39,10 @@ void NeighbourList::append_ghosts(float x, float y) {
   for (int k = 0; k < ghosts_around_.count; ++k) {
     const float ex = ghosts_around_.x[k] - x, ey = ghosts_around_.y[k] - y;
     const float r2 = ex * ex + ey * ey;
-    if (r2 >= near2) continue;
+    if (!(r2 < near2)) continue;
     ghost.push_back(ghosts_around_.id[k]);
+    ghost_dx.push_back(ex);
+    ghost_dy.push_back(ey);
     ghost_r.push_back(std::sqrt(r2));
   }
   ghost_begin_.push_back(static_cast<int>(ghost.size()));
@@ -68,24 +53,25 @@ void NeighbourList::build(const ParticleSet& particles, int rows) {
   ghosts_.file(particles.x, particles.y, particles.velocity_end(), particles.size());
   begin_.assign(1, 0);
   ghost_begin_.assign(1, 0);
-  near_end_.clear();
-  for (auto* values : {&dx, &dy, &r, &ghost_r}) values->clear();
-  j.clear();
+  for (auto* ends : {&end_, &near_end_, &last_}) ends->clear();
   ghost.clear();
+  for (auto* values : {&ghost_dx, &ghost_dy, &ghost_r}) values->clear();
   longest_row_ = 0;
   int collected = -1;
   for (int i = 0; i < rows; ++i) {
     // Sorted particles come bin by bin, so what is around a bin is mostly found once.
-    const int bin = carriers_.bin(particles.x[i], particles.y[i]);
+    const int bin = carriers_.bin_of(i);
     if (bin != collected) {
       carriers_.collect(bin, carriers_around_);
       ghosts_.collect(bin, ghosts_around_);
       collected = bin;
     }
-    const auto [x, y] = carriers_.relative(particles.x[i], particles.y[i], bin);
+    const auto [x, y] = grid_.relative(particles.x[i], particles.y[i], bin);
     append_row(i, x, y);
     append_ghosts(x, y);
   }
+  simd::kernels().distances(pair_rows(), end_.data(), dx.data(), dy.data(), static_cast<float>(radius_),
+                            r.data());
 }
 
 }  // namespace rouleau::particles

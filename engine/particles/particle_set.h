@@ -25,7 +25,7 @@ struct ParticleSet {
   int size() const { return static_cast<int>(x.size()); }
 
   /// Index of the first particle of a group; `first(Group::dead)` is the number of particles. Valid after
-  /// `sort_particles` and until particles are added or change group.
+  /// a ParticleSorter was there and until particles are added or change group.
   int first(Group g) const { return first_[static_cast<std::size_t>(g)]; }
   int membrane_end() const { return first(Group::fluid); }
   int active_end() const { return first(Group::outlet); }
@@ -37,15 +37,14 @@ struct ParticleSet {
   int add(Group g, double px, double py, int of_cell = -1);
 
  private:
-  friend void sort_particles(ParticleSet& particles, double bin);
+  friend class ParticleSorter;
 
   std::array<int, 8> first_{};
   std::int64_t next_id_ = 0;
 };
 
 /// Puts the particles into the order of their groups, the fluid within its group by bins of the given
-/// width (so that neighbours in space are neighbours in memory), and drops the dead. Membrane nodes,
-/// walls and ghosts keep their order.
+/// width, and drops the dead (see ParticleSorter).
 void sort_particles(ParticleSet& particles, double bin);
 
 }  // namespace rouleau::particles

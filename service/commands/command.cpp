@@ -65,8 +65,8 @@ int run_command_line(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 1 the run failed, 2 bad input or usage.");
 
   Action action;
-  for (const auto add : {add_validate, add_plan, add_run, add_series, add_serve, add_submit, add_status,
-                         add_wait, add_fetch, add_cancel}) {
+  for (const auto add : {add_validate, add_plan, add_run, add_series, add_bench, add_serve, add_submit,
+                         add_status, add_wait, add_fetch, add_cancel}) {
     add(app, action);
   }
   try {

@@ -27,7 +27,7 @@ def write_case(tmp_path):
 
 
 def test_help(call):
-    for command in ("validate", "plan", "run", "series", "serve", "submit", "status", "wait", "fetch", "cancel"):
+    for command in ("validate", "plan", "run", "series", "bench", "serve", "submit", "status", "wait", "fetch", "cancel"):
         done = call(command, "--help")
         assert done.returncode == 0 and command in done.stdout
     assert call("--version").returncode == 0
@@ -50,6 +50,23 @@ def test_validate(call, write_case):
     assert {"/vessel/length", "/vessel/diameter", "/surprise"} <= pointers
     assert all(f"  {pointer}: " in done.stderr for pointer in pointers)
     assert call("validate", "none.json").returncode == 2
+
+
+def test_bench(call):
+    setting = ("--particles", "400,700", "--steps", 2)
+    done = call("bench", "--json", *setting)
+    points = json.loads(done.stdout)["points"]
+    assert done.returncode == 0 and [point["steps"] for point in points] == [2, 2]
+    assert 300 < points[0]["particles"] < 500 < points[1]["particles"] < 800
+    for point in points:
+        assert point["updates_per_second"] == pytest.approx(2 * point["particles"] / point["seconds"])
+        assert sum(effect["seconds"] for effect in point["effects"]) == pytest.approx(point["seconds"])
+        assert {"pressure_rotational", "viscosity_implicit"} <= {effect["name"] for effect in point["effects"]}
+
+    done = call("bench", *setting)
+    assert done.returncode == 0 and "pressure_rotational" in done.stdout and "preset standard" in done.stdout
+    assert call("bench", "--preset", "hasty", *setting).returncode == 2
+    assert call("bench", "--particles", "3").returncode == 2
 
 
 def test_plan(call, write_case):

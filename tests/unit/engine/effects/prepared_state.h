@@ -16,7 +16,7 @@ inline State prepared_state(const Case& scene) {
   place_cells(state);
   place_fluid(state);
   place_walls(state);
-  sort_particles(state.particles, state.spacing);
+  state.neighbours.sort(state.particles);
   state.neighbours.build(state.particles);
   state.operators.build(state.particles, state.neighbours);
   const auto active = static_cast<std::size_t>(state.particles.active_end());

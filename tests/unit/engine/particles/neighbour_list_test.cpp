@@ -96,7 +96,7 @@ TEST(NeighbourList, PeriodicPairsAreThoseOfTheNearestImages) {
     for (const auto& [period_x, period_y] : {std::pair{1.1, 0.0}, {0.0, 0.95}, {1.1, 0.95}}) {
       NeighbourList list(extent, radius, 0.6 * radius, period_x, period_y);
       list.build(set);
-      ASSERT_GT(list.j.size(), 0u);
+      ASSERT_GT(list.pairs(), 0);
       for (int i = 0; i < list.rows(); ++i) {
         ASSERT_EQ(row_of(list, i), brute_force(set, list, i));
         for (int k = list.begin(i); k < list.end(i); ++k) {
@@ -124,7 +124,7 @@ TEST(NeighbourList, OffsetsAreThoseOfThePair) {
   const ParticleSet set = random_particles(150, 3, 1);
   NeighbourList list(extent, 0.3, 0.2);
   list.build(set);
-  ASSERT_GT(list.j.size(), 100u);
+  ASSERT_GT(list.pairs(), 100);
   for (int i = 0; i < list.rows(); ++i) {
     for (int k = list.begin(i); k < list.end(i); ++k) {
       const double dx = set.x[list.j[k]] - set.x[i], dy = set.y[list.j[k]] - set.y[i];
@@ -133,8 +133,26 @@ TEST(NeighbourList, OffsetsAreThoseOfThePair) {
       ASSERT_NEAR(list.r[k], std::hypot(dx, dy), 1e-7);
     }
     for (int k = list.ghost_begin(i); k < list.ghost_end(i); ++k) {
+      ASSERT_NEAR(list.ghost_dx[k], set.x[list.ghost[k]] - set.x[i], 1e-7);
+      ASSERT_NEAR(list.ghost_dy[k], set.y[list.ghost[k]] - set.y[i], 1e-7);
       ASSERT_NEAR(list.ghost_r[k],
                   std::hypot(set.x[list.ghost[k]] - set.x[i], set.y[list.ghost[k]] - set.y[i]), 1e-7);
+    }
+  }
+}
+
+TEST(NeighbourList, PaddingIsOfPairsThatDoNothing) {
+  const ParticleSet set = random_particles(150, 3, 1);
+  NeighbourList list(extent, 0.3, 0.2);
+  list.build(set);
+  for (int i = 0; i < list.rows(); ++i) {
+    ASSERT_EQ((list.padded_end(i) - list.begin(i)) % simd::lanes, 0);
+    ASSERT_LT(list.padded_end(i) - list.end(i), simd::lanes);
+    for (int k = list.end(i); k < list.padded_end(i); ++k) {
+      ASSERT_EQ(list.j[k], i);
+      ASSERT_EQ(list.dx[k], 0);
+      ASSERT_EQ(list.dy[k], 0);
+      ASSERT_EQ(list.r[k], 0.3F);
     }
   }
 }
@@ -174,7 +192,7 @@ TEST(NeighbourList, APositionThatIsNoNumberIsNobodysNeighbour) {
   sort_particles(particles, 0.1);
   NeighbourList list({-0.4, -0.2, 1.7, 1.1}, 0.3, 0.2);
   list.build(particles);
-  EXPECT_TRUE(list.j.empty());
+  EXPECT_EQ(list.pairs(), 0);
 }
 
 TEST(NeighbourList, ParticlesInOnePlaceAreNeighbours) {
