@@ -4,8 +4,9 @@
 
 namespace rouleau::effects {
 
-/// Takes particles out beyond the outlet plane: a buffer of frozen velocity, four spacings deep, whose
-/// pressure has the outlet's value in the plane and goes on with the slope found just before it.
+/// Lets particles out through each outlet plane, and back: a buffer four spacings deep that moves as the
+/// fluid arrives at the plane, and whose pressure has the outlet's value there and goes on with the slope
+/// found just before it.
 extern const EffectKind outflow;
 
 }  // namespace rouleau::effects

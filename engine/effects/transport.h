@@ -5,7 +5,8 @@
 namespace rouleau::effects {
 
 /// Ends the motion: particles take their new places, and velocity and pressure follow as the fields they
-/// are. Pressure is a field of the vessel and no property that a particle carries along.
+/// are. Pressure is a field of the vessel and no property that a particle carries along; its
+/// roughness is smoothed.
 extern const EffectKind transport;
 
 }  // namespace rouleau::effects

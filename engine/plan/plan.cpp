@@ -17,7 +17,7 @@ namespace {
 
 using effects::EffectKind;
 
-// Fraction of a spacing that the fastest fluid moves in a step. Time errors are of first order in it; the
+// Fraction of a spacing that the fastest fluid moves in a step. The
 // explicit transport of pressure would allow 0.5.
 constexpr double courant = 0.2;
 

@@ -10,8 +10,8 @@ namespace rouleau {
 /// @throws CaseError where a cell has no rest shape
 void place_cells(effects::State& state);
 
-/// Fills the vessel with fluid on rows along x, staggered as the inlet's lanes are, at rest inside cells
-/// and elsewhere with the developed velocity; leaves out places too near a wall or a membrane.
+/// Fills the vessel with fluid on rows along x, staggered as the inlet's lanes are, with the flow that
+/// the case starts with; leaves out places too near a wall or a membrane.
 void place_fluid(effects::State& state);
 
 /// Nodes on the true wall, which move as the wall does, and three layers of ghosts behind it.
