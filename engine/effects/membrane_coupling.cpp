@@ -38,6 +38,15 @@ class MembraneCoupling : public Effect, public ImplicitForce {
   }
 
   void add_rate(const double* velocity, double* acceleration) const override {
+    add_rate_of(velocity, acceleration);
+  }
+  void add_rate(const float* velocity, float* acceleration) const override {
+    add_rate_of(velocity, acceleration);
+  }
+
+ private:
+  template <class Real>
+  void add_rate_of(const Real* velocity, Real* acceleration) const {
     node_rate_.assign(2 * (begin_.size() - 1), 0);
     for (const cells::Stiffness& element : *stiffness_) {
       double along = 0;
@@ -56,13 +65,12 @@ class MembraneCoupling : public Effect, public ImplicitForce {
       const double ry = node_rate_[2 * node + 1];
       for (int k = begin_[node]; k < begin_[node + 1]; ++k) {
         const Share& share = shares_[k];
-        acceleration[2 * share.particle] += share.xx * rx + share.xy * ry;
-        acceleration[2 * share.particle + 1] += share.yx * rx + share.yy * ry;
+        acceleration[2 * share.particle] += static_cast<Real>(share.xx * rx + share.xy * ry);
+        acceleration[2 * share.particle + 1] += static_cast<Real>(share.yx * rx + share.yy * ry);
       }
     }
   }
 
- private:
   void build(const State& state) {
     begin_.assign(1, 0);
     shares_.clear();

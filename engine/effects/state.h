@@ -33,6 +33,7 @@ class ImplicitForce {
   /// Adds to `acceleration` its change for the velocities `velocity`, per unit of time; both interleaved
   /// (u0, v0, u1, v1, ...) over the active particles.
   virtual void add_rate(const double* velocity, double* acceleration) const = 0;
+  virtual void add_rate(const float* velocity, float* acceleration) const = 0;
 };
 
 /// Forces on the membrane nodes, per unit depth, and how they answer to a displacement.

@@ -1,101 +1,140 @@
 #include "engine/effects/viscosity_implicit.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/effects/backward_difference.h"
 #include "engine/error/simulation_error.h"
+#include "engine/linear/aggregates.h"
 #include "engine/linear/bicgstab.h"
+#include "engine/linear/coarse_space.h"
 
 namespace rouleau::effects {
 
 namespace {
 
-// Of the residual, relative to the norm of the velocities. Rows are scaled by their diagonal, by which a
-// smooth error comes out larger than its residual: without that factor flows from rest got worse with
-// resolution. A looser tolerance lets membranes leak.
-constexpr double tolerance = 3e-5;
-constexpr double loosest = 1e-5;
+// Error of the change, as the preconditioned residual shows it, relative to the norm of the velocities.
+constexpr double tolerance = 1e-5;
 constexpr int max_iterations = 500;
+constexpr double aggregate_width = 5;  // spacings
 
 class ViscosityImplicit : public Effect {
  public:
+  explicit ViscosityImplicit(const State& state)
+      : aggregates_(aggregate_width * state.spacing, state.neighbours.period_x() > 0,
+                    state.neighbours.period_y() > 0) {}
+
   void apply(State& state) override {
     assemble(state);
     const auto& particles = state.particles;
-    double norm2 = 0, inverse_diagonal = 0;
+    double norm2 = 0;
     for (int i = 0; i < particles.active_end(); ++i) {
-      change_[2 * i] = particles.du[i];
-      change_[2 * i + 1] = particles.dv[i];
+      change_[2 * i] = static_cast<float>(particles.du[i]);
+      change_[2 * i + 1] = static_cast<float>(particles.dv[i]);
       norm2 += particles.u[i] * particles.u[i] + particles.v[i] * particles.v[i];
-      inverse_diagonal += inverse_diagonal_[i] / particles.active_end();
     }
-    const double relative = std::min(loosest, tolerance * inverse_diagonal);
     const linear::Solve solve =
-        solver_.solve([&](std::span<const double> in, std::span<double> out) { multiply(state, in, out); },
-                      residual_, change_, relative * (std::sqrt(norm2) + 1e-11), max_iterations);
+        solver_.solve([&](std::span<const float> in, std::span<float> out) { multiply(state, in, out); },
+                      residual_, change_, tolerance * (std::sqrt(norm2) + 1e-11), max_iterations);
     state.counters.viscosity_iterations += solve.iterations;
     if (!solve.converged) throw_unsolved(state, solve);
     update(state);
   }
 
  private:
-  /// Rows scaled by their diagonal. Pairs with walls and buffers count for nothing in the products, as their
-  /// velocities do not change: the vectors are padded with zeros. The right-hand side is the residual of the
-  /// present velocities, so that the unknown is their change.
+  /// The right-hand side is the residual of the present velocities, so that the unknown is their change: a
+  /// small one, for which float will do. Pairs with walls and buffers count for nothing in the products, as
+  /// their velocities do not change: the vectors are padded with zeros.
   void assemble(State& state) {
     const auto& particles = state.particles;
     const int n = particles.active_end();
     const double dt = state.dt;
     const BackwardDifference in_time(state.dt, state.last_dt);
-    const double diffusion = in_time.weight * dt * state.viscosity;
-    inverse_diagonal_.resize(n);
+    diffusion_ = in_time.weight * dt * state.viscosity;
+    implicit_time2_ = in_time.weight * dt * dt;
     // Padded to all that a pair can point to.
     const auto length = 2 * static_cast<std::size_t>(particles.velocity_end());
     residual_.assign(length, 0);
     change_.assign(length, 0);
-    rate_.assign(length, 0);
+    first_rate_.assign(length, 0);
     operators::interleave(particles.u, particles.v, velocity_);
-    for (const ImplicitForce* force : state.implicit_forces) force->add_rate(velocity_.data(), rate_.data());
+    for (const ImplicitForce* force : state.implicit_forces) {
+      force->add_rate(velocity_.data(), first_rate_.data());
+    }
     state.operators.velocity_laplacians(velocity_.data(), laplacian_, weights_);
     state.operators.pressure_gradients(particles.p.data(), slope_);
+    diagonal_.resize(n);
+    inverse_diagonal_.resize(n);
     for (int i = 0; i < n; ++i) {
-      inverse_diagonal_[i] = 1 / (1 + diffusion * weights_[i]);
+      const double diagonal = 1 + diffusion_ * weights_[i];
+      diagonal_[i] = static_cast<float>(diagonal);
+      inverse_diagonal_[i] = static_cast<float>(1 / diagonal);
       const double force[2] = {state.ax[i], state.ay[i]}, last[2] = {particles.du[i], particles.dv[i]};
       for (int d = 0; d < 2; ++d) {
         const int k = 2 * i + d;
         residual_[k] =
-            inverse_diagonal_[i] * (in_time.weight * dt * (force[d] - slope_[k]) + in_time.history * last[d] +
-                                    diffusion * laplacian_[k] + in_time.weight * dt * dt * rate_[k]);
+            static_cast<float>(in_time.weight * dt * (force[d] - slope_[k]) + in_time.history * last[d] +
+                               diffusion_ * laplacian_[k] + implicit_time2_ * first_rate_[k]);
       }
     }
+    prepare_coarse(state);
+    precondition(residual_);
   }
 
-  void multiply(const State& state, std::span<const double> in, std::span<double> out) {
+  /// out = M^-1 A in
+  void multiply(const State& state, std::span<const float> in, std::span<float> out) {
     const int n = state.neighbours.rows();
     state.operators.laplacian_products(in.data(), out.data());
-    const double diffusion = BackwardDifference(state.dt, state.last_dt).weight * state.dt * state.viscosity;
+    const auto diffusion = static_cast<float>(diffusion_);
     for (int i = 0; i < n; ++i) {
-      const double scale = -diffusion * inverse_diagonal_[i];
-      out[2 * i] = in[2 * i] + scale * out[2 * i];
-      out[2 * i + 1] = in[2 * i + 1] + scale * out[2 * i + 1];
+      out[2 * i] = diagonal_[i] * in[2 * i] - diffusion * out[2 * i];
+      out[2 * i + 1] = diagonal_[i] * in[2 * i + 1] - diffusion * out[2 * i + 1];
     }
-    std::fill(out.begin() + 2 * n, out.end(), 0.0);
-    if (state.implicit_forces.empty()) return;
-    std::fill(rate_.begin(), rate_.end(), 0.0);
-    for (const ImplicitForce* force : state.implicit_forces) force->add_rate(in.data(), rate_.data());
-    const double dt2 = BackwardDifference(state.dt, state.last_dt).weight * state.dt * state.dt;
+    std::fill(out.begin() + 2 * n, out.end(), 0.0F);
+    if (!state.implicit_forces.empty()) {
+      rate_.assign(out.size(), 0);
+      for (const ImplicitForce* force : state.implicit_forces) force->add_rate(in.data(), rate_.data());
+      const auto time2 = static_cast<float>(implicit_time2_);
+      for (int k = 0; k < 2 * n; ++k) out[k] -= time2 * rate_[k];
+    }
+    precondition(out);
+  }
+
+  void prepare_coarse(const State& state) {
+    const auto& particles = state.particles;
+    const auto& list = state.neighbours;
+    const int n = particles.active_end();
+    const auto count = static_cast<std::size_t>(n);
+    of_ = &aggregates_.build({particles.x.data(), count}, {particles.y.data(), count});
+    coarse_.reset(*of_);
     for (int i = 0; i < n; ++i) {
-      out[2 * i] -= dt2 * inverse_diagonal_[i] * rate_[2 * i];
-      out[2 * i + 1] -= dt2 * inverse_diagonal_[i] * rate_[2 * i + 1];
+      const float* weight = state.operators.laplacian(i);
+      const int a = of_->of[i];
+      coarse_.add(a, a, 1 + diffusion_ * weights_[i]);
+      for (int k = list.begin(i); k < list.end(i); ++k) {
+        const int j = list.j[k];
+        if (j < n) coarse_.add(a, of_->of[j], -diffusion_ * static_cast<double>(weight[k - list.begin(i)]));
+      }
+    }
+    coarse_.factor();
+  }
+
+  /// Jacobi and the coarse space: what is left is near to the error.
+  void precondition(std::span<float> residual) {
+    const int n = static_cast<int>(diagonal_.size());
+    for (int d = 0; d < 2; ++d) {
+      const auto coarse = coarse_.correct(std::span<const float>(residual), 2, d);
+      for (int i = 0; i < n; ++i) {
+        float& r = residual[2 * i + d];
+        r = r * inverse_diagonal_[i] + static_cast<float>(coarse[of_->of[i]]);
+      }
     }
   }
 
   void update(State& state) const {
     auto& particles = state.particles;
     for (int i = 0; i < particles.active_end(); ++i) {
-      particles.u[i] += change_[2 * i];
-      particles.v[i] += change_[2 * i + 1];
+      particles.u[i] += static_cast<double>(change_[2 * i]);
+      particles.v[i] += static_cast<double>(change_[2 * i + 1]);
     }
   }
 
@@ -108,9 +147,13 @@ class ViscosityImplicit : public Effect {
                            .step = state.step});
   }
 
-  linear::BiCgStab solver_;
-  std::vector<double> inverse_diagonal_, weights_, residual_, change_, velocity_, rate_;
-  std::vector<double> laplacian_, slope_;
+  linear::BiCgStab<float> solver_;
+  linear::GridAggregates aggregates_;
+  const linear::Aggregates* of_ = nullptr;
+  linear::CoarseSpace coarse_;
+  double diffusion_ = 0, implicit_time2_ = 0;
+  std::vector<float> diagonal_, inverse_diagonal_, residual_, change_, rate_;
+  std::vector<double> velocity_, laplacian_, weights_, slope_, first_rate_;
 };
 
 }  // namespace
@@ -120,6 +163,6 @@ const EffectKind viscosity_implicit{
     [](const Case& scene) {
       return of_accurate_scheme(scene, {true, "plasma is viscous", "/plasma/kinematic_viscosity"});
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityImplicit>(); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityImplicit>(state); }};
 
 }  // namespace rouleau::effects

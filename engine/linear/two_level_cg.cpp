@@ -1,6 +1,5 @@
 #include "engine/linear/two_level_cg.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -10,9 +9,6 @@ namespace {
 
 /// Piecewise-constant corrections fall short of the smooth error by about this factor.
 constexpr double over_correction = 1.5;
-
-/// Makes the coarse matrix definite where the fine one ignores constants.
-constexpr double regularisation = 1e-8;
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -36,28 +32,15 @@ void TwoLevelCg::prepare(const SparseRows& matrix, const Aggregates& aggregates,
 void TwoLevelCg::prepare_coarse() {
   const SparseRows& matrix = *matrix_;
   const int* aggregate = aggregates_->of.data();
-  coarse_.reset(aggregates_->count, aggregates_->bandwidth);
+  coarse_.reset(*aggregates_);
   for (int i = 0; i < matrix.rows(); ++i) {
     const int a = aggregate[i];
-    double kept = matrix.diagonal[i];
+    coarse_.add(a, a, matrix.diagonal[i]);
     for (int k = matrix.begin[i]; k < matrix.begin[i + 1]; ++k) {
-      const int b = aggregate[matrix.column[k]];
-      if (b == a) {
-        kept += matrix.value[k];
-      } else if (b < a && a - b <= coarse_.bandwidth()) {
-        coarse_.at(a, b) += matrix.value[k];
-      }
+      coarse_.add(a, aggregate[matrix.column[k]], static_cast<double>(matrix.value[k]));
     }
-    coarse_.at(a, a) += kept;
   }
-  for (int a = 0; a < coarse_.rows(); ++a) {
-    double& diagonal = coarse_.at(a, a);
-    // An aggregate without particles stands alone with a harmless diagonal.
-    if (!(diagonal > 0)) diagonal = 1;
-    if (constants_ == Constants::ignored) diagonal *= 1 + regularisation;
-  }
-  coarse_usable_ = coarse_.factor();
-  coarse_z_.assign(coarse_.rows(), 0);
+  coarse_.factor(constants_ == Constants::ignored);
 }
 
 void TwoLevelCg::centre(std::span<double> vector) const {
@@ -68,20 +51,11 @@ void TwoLevelCg::centre(std::span<double> vector) const {
 
 double TwoLevelCg::precondition() {
   const int n = matrix_->rows();
-  if (coarse_usable_) {
-    std::fill(coarse_z_.begin(), coarse_z_.end(), 0.0);
-    // Neighbours in memory mostly share an aggregate: their sum is kept in a register.
-    const int* aggregate = aggregates_->of.data();
-    for (int i = 0; i < n;) {
-      const int a = aggregate[i];
-      double sum = 0;
-      for (; i < n && aggregate[i] == a; ++i) sum += r_[i];
-      coarse_z_[a] += sum;
-    }
-    coarse_.solve(coarse_z_);
-    for (double& z : coarse_z_) z *= over_correction;
+  const double* coarse = coarse_.correct(std::span<const double>(r_)).data();
+  const int* aggregate = aggregates_->of.data();
+  for (int i = 0; i < n; ++i) {
+    z_[i] = r_[i] * inverse_diagonal_[i] + over_correction * coarse[aggregate[i]];
   }
-  for (int i = 0; i < n; ++i) z_[i] = r_[i] * inverse_diagonal_[i] + coarse_z_[aggregates_->of[i]];
   centre(z_);
   return dot(r_, z_);
 }

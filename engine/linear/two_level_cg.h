@@ -3,9 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/linear/aggregates.h"
-#include "engine/linear/banded_cholesky.h"
 #include "engine/linear/bicgstab.h"
+#include "engine/linear/coarse_space.h"
 #include "engine/linear/sparse_rows.h"
 
 namespace rouleau::linear {
@@ -36,9 +35,8 @@ class TwoLevelCg {
   const SparseRows* matrix_ = nullptr;
   const Aggregates* aggregates_ = nullptr;
   Constants constants_ = Constants::seen;
-  BandedCholesky coarse_;
-  bool coarse_usable_ = false;
-  std::vector<double> inverse_diagonal_, coarse_z_;
+  CoarseSpace coarse_;
+  std::vector<double> inverse_diagonal_;
   std::vector<double> r_, z_, p_, q_;
 };
 

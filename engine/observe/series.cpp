@@ -13,16 +13,15 @@ namespace {
 
 /// Beside what is wanted there. The published scheme finds its own; else by the fits of the last step.
 double worst_divergence(const effects::State& state) {
-  const auto& particles = state.particles;
-  const bool published = state.scene.numerics.preset == Preset::paper;
-  double worst = 0;
-  for (int i = 0; i < particles.active_end(); ++i) {
-    const double divergence = published ? state.divergence[i]
-                                        : state.operators.velocity_gradient(i, particles.u.data()).x +
-                                              state.operators.velocity_gradient(i, particles.v.data()).y -
-                                              state.source[i];
-    worst = std::max(worst, std::abs(divergence));
+  std::vector<double> divergence = state.divergence;
+  if (state.scene.numerics.preset != Preset::paper) {
+    std::vector<double> velocity;
+    operators::interleave(state.particles.u, state.particles.v, velocity);
+    state.operators.divergences(velocity.data(), divergence);
+    for (std::size_t i = 0; i < divergence.size(); ++i) divergence[i] -= state.source[i];
   }
+  double worst = 0;
+  for (const double d : divergence) worst = std::max(worst, std::abs(d));
   return worst;
 }
 

@@ -15,6 +15,10 @@ using particles::NeighbourList;
 
 constexpr int everybody = std::numeric_limits<int>::max();
 
+simd::RowChoice choice(const std::vector<int>& rows, const int* weight_begin) {
+  return {rows.data(), static_cast<int>(rows.size()), weight_begin};
+}
+
 FitRow row_of(const NeighbourList& list, int i, int j_end) {
   const int begin = list.begin(i);
   return {&list.dx[begin],
@@ -55,9 +59,13 @@ void LeastSquares::place_pressure_rows(int pressure_end) {
   std::iota(all_rows_.begin(), all_rows_.end(), 0);
   pressure_begin_.assign(list_->row_begins(), list_->row_begins() + rows);
   walled_rows_.clear();
+  open_rows_.clear();
   int at = list_->pairs();
   for (int i = 0; i < rows; ++i) {
-    if (list_->last_neighbour(i) < pressure_end) continue;
+    if (list_->last_neighbour(i) < pressure_end) {
+      open_rows_.push_back(i);
+      continue;
+    }
     walled_rows_.push_back(i);
     pressure_begin_[i] = at;
     at += list_->padded_end(i) - list_->begin(i);
@@ -69,47 +77,46 @@ void LeastSquares::place_pressure_rows(int pressure_end) {
 }
 
 void LeastSquares::fit_velocities() {
-  const NeighbourList& list = *list_;
   poor_.resize(all_rows_.size());
-  simd::kernels().fit(list.pair_rows(), {list.dx.data(), list.dy.data(), list.r.data()},
-                      {{all_rows_.data(), list.rows(), list.row_begins()},
-                       everybody,
-                       static_cast<float>(list.radius()),
-                       dx_.data(),
-                       dy_.data(),
-                       laplacian_.data(),
-                       poor_.data()});
-  for (int i = 0; i < list.rows(); ++i) {
-    if (!poor_[i]) continue;
+  fit({.choice = choice(open_rows_, list_->row_begins()), .laplacian = laplacian_.data(), .quartic = true});
+  // Beside walls a quadratic is nearer to the flow.
+  quadratic_rows_ = walled_rows_;
+  for (std::size_t k = 0; k < open_rows_.size(); ++k) {
+    if (poor_[k]) quadratic_rows_.push_back(open_rows_[k]);
+  }
+  fit({.choice = choice(quadratic_rows_, list_->row_begins()), .laplacian = laplacian_.data()});
+  for (std::size_t k = 0; k < quadratic_rows_.size(); ++k) {
+    if (!poor_[k]) continue;
     ++poor_rows_;
-    const FitRow row = row_of(list, i, everybody);
-    const FitCoefficients fit = damped_fit(row);
-    write_weights(row, fit.dx, 1, &dx_[list.begin(i)]);
-    write_weights(row, fit.dy, 1, &dy_[list.begin(i)]);
-    write_weights(row, fit.laplacian, 2, &laplacian_[list.begin(i)]);
+    const int i = quadratic_rows_[k];
+    const FitRow row = row_of(*list_, i, everybody);
+    const FitCoefficients damped = damped_fit(row);
+    write_weights(row, damped.dx, 1, &dx_[list_->begin(i)]);
+    write_weights(row, damped.dy, 1, &dy_[list_->begin(i)]);
+    write_weights(row, damped.laplacian, 2, &laplacian_[list_->begin(i)]);
   }
 }
 
 void LeastSquares::fit_pressures(int pressure_end) {
-  const NeighbourList& list = *list_;
-  const int rows = static_cast<int>(walled_rows_.size());
-  simd::kernels().fit(list.pair_rows(), {list.dx.data(), list.dy.data(), list.r.data()},
-                      {{walled_rows_.data(), rows, pressure_begin_.data()},
-                       pressure_end,
-                       static_cast<float>(list.radius()),
-                       dx_.data(),
-                       dy_.data(),
-                       nullptr,
-                       poor_.data()});
-  for (int k = 0; k < rows; ++k) {
+  simd::FitTask task{.choice = choice(walled_rows_, pressure_begin_.data()), .j_end = pressure_end};
+  fit(task);
+  for (std::size_t k = 0; k < walled_rows_.size(); ++k) {
     if (!poor_[k]) continue;
     ++poor_rows_;
     const int i = walled_rows_[k];
-    const FitRow row = row_of(list, i, pressure_end);
-    const FitCoefficients fit = linear_fit(row);
-    write_weights(row, fit.dx, 1, &dx_[pressure_begin_[i]]);
-    write_weights(row, fit.dy, 1, &dy_[pressure_begin_[i]]);
+    const FitRow row = row_of(*list_, i, pressure_end);
+    const FitCoefficients linear = linear_fit(row);
+    write_weights(row, linear.dx, 1, &dx_[pressure_begin_[i]]);
+    write_weights(row, linear.dy, 1, &dy_[pressure_begin_[i]]);
   }
+}
+
+void LeastSquares::fit(simd::FitTask task) {
+  task.radius = static_cast<float>(list_->radius());
+  task.dx = dx_.data();
+  task.dy = dy_.data();
+  task.poor = poor_.data();
+  simd::kernels().fit(list_->pair_rows(), {list_->dx.data(), list_->dy.data(), list_->r.data()}, task);
 }
 
 Gradient LeastSquares::velocity_gradient(int i, const double* field) const {
@@ -152,7 +159,7 @@ void LeastSquares::velocity_laplacians(const double* uv, std::vector<double>& ou
   simd::kernels().velocity_laplacians(list_->pair_rows(), laplacian_.data(), uv, out.data(), weights.data());
 }
 
-void LeastSquares::laplacian_products(const double* uv, double* out) const {
+void LeastSquares::laplacian_products(const float* uv, float* out) const {
   simd::kernels().velocity_products(list_->pair_rows(), laplacian_.data(), uv, out);
 }
 

@@ -5,8 +5,11 @@
 namespace rouleau::simd {
 namespace {
 
-constexpr int terms = 5;  // X, Y, X^2, XY, Y^2
-constexpr int moments = 12;
+// The basis is X, Y, X^2, XY, Y^2 and, in fits that are asked for it, r^4.
+constexpr int quadratic = 5, with_quartic = 6;
+constexpr int moments_of(int terms) {
+  return terms == quadratic ? 12 : 18;
+}
 constexpr double least_pivot = 1e-6;
 
 /// Offsets in units of half the radius, which keep the moments near one, and the weight.
@@ -22,10 +25,13 @@ inline Scaled scaled(const PairRows& list, const PairOffsets& offsets, const Fit
           chosen(counts, q * q, Floats{})};
 }
 
-/// Moments m20, m11, m02, m30, m21, m12, m03, m40, m31, m22, m13, m04 of one row, still in eight parts.
+/// Moments m20, m11, m02, m30, m21, m12, m03, m40, m31, m22, m13, m04 of one row, still in eight parts, and
+/// those of r^4 with the basis.
+template <int terms>
 inline void add_moments(const PairRows& list, const PairOffsets& offsets, const FitTask& task, int row,
                         Floats (*sum)[lanes], int lane) {
   Floats m20{}, m11{}, m02{}, m30{}, m21{}, m12{}, m03{}, m40{}, m31{}, m22{}, m13{}, m04{};
+  Floats r10{}, r01{}, r20{}, r11{}, r02{}, r40{};
   for (int k = list.begin[row]; k < list.end[row]; k += lanes) {
     const auto [X, Y, w] = scaled(list, offsets, task, k);
     const Floats xx = X * X, xy = X * Y, yy = Y * Y;
@@ -42,9 +48,19 @@ inline void add_moments(const PairRows& list, const PairOffsets& offsets, const 
     m22 += wxx * yy;
     m13 += wyy * xy;
     m04 += wyy * yy;
+    if constexpr (terms == with_quartic) {
+      const Floats square = xx + yy, fourth = square * square, weighted = w * fourth;
+      r10 += weighted * X;
+      r01 += weighted * Y;
+      r20 += weighted * xx;
+      r11 += weighted * xy;
+      r02 += weighted * yy;
+      r40 += weighted * fourth;
+    }
   }
-  const Floats all_of_row[moments] = {m20, m11, m02, m30, m21, m12, m03, m40, m31, m22, m13, m04};
-  for (int m = 0; m < moments; ++m) sum[m][lane] = all_of_row[m];
+  const Floats all_of_row[] = {m20, m11, m02, m30, m21, m12, m03, m40, m31,
+                               m22, m13, m04, r10, r01, r20, r11, r02, r40};
+  for (int m = 0; m < moments_of(terms); ++m) sum[m][lane] = all_of_row[m];
 }
 
 /// Eight doubles, a lane a row.
@@ -66,11 +82,16 @@ inline Octet inverse(Octet v) {
 }
 
 /// Normal matrices of eight rows, factored as L D L^T.
+template <int terms>
 class NormalMatrices {
  public:
   explicit NormalMatrices(const Octet* m) {
-    const Octet a[terms][terms] = {
-        {m[0]}, {m[1], m[2]}, {m[3], m[4], m[7]}, {m[4], m[5], m[8], m[9]}, {m[5], m[6], m[9], m[10], m[11]}};
+    const Octet a[with_quartic][with_quartic] = {{m[0]},
+                                                 {m[1], m[2]},
+                                                 {m[3], m[4], m[7]},
+                                                 {m[4], m[5], m[8], m[9]},
+                                                 {m[5], m[6], m[9], m[10], m[11]},
+                                                 {m[12], m[13], m[14], m[15], m[16], m[17]}};
     for (int i = 0; i < terms; ++i) {
       Octet scaled_l[terms];
       Octet pivot = a[i][i];
@@ -112,7 +133,8 @@ class NormalMatrices {
 constexpr int derivatives = 3;
 
 /// The derivatives' coefficients in the basis, of eight rows; scaled back to lengths.
-inline void coefficients(const NormalMatrices& matrices, double scale, Octet (*c)[terms]) {
+template <int terms>
+inline void coefficients(const NormalMatrices<terms>& matrices, double scale, Octet (*c)[terms]) {
   for (int d = 0; d < derivatives; ++d) {
     for (int q = 0; q < terms; ++q) c[d][q] = octet(0);
   }
@@ -122,7 +144,7 @@ inline void coefficients(const NormalMatrices& matrices, double scale, Octet (*c
   for (int d = 0; d < derivatives; ++d) matrices.solve(c[d], d);
 }
 
-template <int count>
+template <int terms, int count>
 void write_weights(const PairRows& list, const PairOffsets& offsets, const FitTask& task, int row,
                    const Octet (*c)[terms], int lane) {
   Floats factor[count][terms];
@@ -136,37 +158,44 @@ void write_weights(const PairRows& list, const PairOffsets& offsets, const FitTa
     const Floats xx = X * X, xy = X * Y, yy = Y * Y;
     for (int d = 0; d < count; ++d) {
       const Floats* f = factor[d];
-      store(out[d] + shift + k, w * ((f[0] * X + f[1] * Y) + (f[2] * xx + (f[3] * xy + f[4] * yy))));
+      Floats value = (f[0] * X + f[1] * Y) + (f[2] * xx + (f[3] * xy + f[4] * yy));
+      if constexpr (terms == with_quartic) value = value + f[5] * ((xx + yy) * (xx + yy));
+      store(out[d] + shift + k, w * value);
     }
   }
 }
 
-void fit(const PairRows& list, const PairOffsets& offsets, const FitTask& task) {
+template <int terms>
+void fit_terms(const PairRows& list, const PairOffsets& offsets, const FitTask& task) {
   for (int from = 0; from < task.choice.rows; from += lanes) {
-    Floats parts[moments][lanes]{};
+    Floats parts[moments_of(with_quartic)][lanes]{};
     const int rows = task.choice.rows - from < lanes ? task.choice.rows - from : lanes;
     for (int lane = 0; lane < rows; ++lane) {
-      add_moments(list, offsets, task, task.choice.row[from + lane], parts, lane);
+      add_moments<terms>(list, offsets, task, task.choice.row[from + lane], parts, lane);
     }
-    Octet m[moments];
-    for (int q = 0; q < moments; ++q) {
+    Octet m[moments_of(with_quartic)]{};
+    for (int q = 0; q < moments_of(terms); ++q) {
       const Floats sum = sums_of(parts[q]);
       m[q] = {low_half(sum), high_half(sum)};
     }
-    const NormalMatrices matrices(m);
+    const NormalMatrices<terms> matrices(m);
     Octet c[derivatives][terms];
-    coefficients(matrices, 2 / static_cast<double>(task.radius), c);
+    coefficients<terms>(matrices, 2 / static_cast<double>(task.radius), c);
     for (int lane = 0; lane < rows; ++lane) {
       const int row = task.choice.row[from + lane];
       task.poor[from + lane] = !matrices.sound(lane);
       if (task.poor[from + lane]) continue;
       if (task.laplacian) {
-        write_weights<3>(list, offsets, task, row, c, lane);
+        write_weights<terms, 3>(list, offsets, task, row, c, lane);
       } else {
-        write_weights<2>(list, offsets, task, row, c, lane);
+        write_weights<terms, 2>(list, offsets, task, row, c, lane);
       }
     }
   }
+}
+
+void fit(const PairRows& list, const PairOffsets& offsets, const FitTask& task) {
+  task.quartic ? fit_terms<with_quartic>(list, offsets, task) : fit_terms<quadratic>(list, offsets, task);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 namespace rouleau::simd {
 
 /// The few loops in which most of the time goes, each compiled for plain x86-64 and for AVX2 from the same
@@ -69,13 +71,14 @@ struct RowChoice {
 
 /// A least-squares fit (see LeastSquares) of some rows, over pairs with j < j_end.
 struct FitTask {
-  RowChoice choice;
-  int j_end;
-  float radius;
-  float* dx;
-  float* dy;
-  float* laplacian;     ///< null: not wanted
-  unsigned char* poor;  ///< [rows] set where the normal matrix is not safely definite
+  RowChoice choice{};
+  int j_end = std::numeric_limits<int>::max();
+  float radius = 0;
+  float* dx = nullptr;
+  float* dy = nullptr;
+  float* laplacian = nullptr;     ///< null: not wanted
+  bool quartic = false;           ///< r^4 in the basis, too
+  unsigned char* poor = nullptr;  ///< [rows] set where the normal matrix is not safely definite
 };
 
 /// A matrix as linear::SparseRows holds it.
@@ -106,8 +109,8 @@ struct Kernels {
   /// out [rows][2], and the sum of each row's weights
   void (*velocity_laplacians)(const PairRows&, const float* laplacian, const double* uv, double* out,
                               double* weights);
-  /// out [rows][2]
-  void (*velocity_products)(const PairRows&, const float* weight, const double* uv, double* out);
+  /// out [rows][2], in float: for the steps of a solver
+  void (*velocity_products)(const PairRows&, const float* weight, const float* uv, float* out);
 
   /// out [rows][8]: d/dx and d/dy of four fields, interleaved likewise
   void (*field_gradients)(const PairRows&, const float* dx, const float* dy, const double* fields,

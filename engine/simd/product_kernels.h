@@ -96,16 +96,32 @@ void velocity_laplacians(const PairRows& list, const float* laplacian, const dou
   }
 }
 
-void velocity_products(const PairRows& list, const float* weight, const double* uv, double* out) {
+/// (u, v) of four particles, in float.
+inline Floats four_pairs(const float* uv, const FourIndices& j) {
+  double both[4];
+  std::memcpy(both, uv + 2 * j.a, sizeof(double));
+  std::memcpy(both + 1, uv + 2 * j.b, sizeof(double));
+  std::memcpy(both + 2, uv + 2 * j.c, sizeof(double));
+  std::memcpy(both + 3, uv + 2 * j.d, sizeof(double));
+  return reinterpret_cast<Floats>(Doubles{both[0], both[1], both[2], both[3]});
+}
+
+inline Floats doubled_in_float(const float* weight) {
+  const auto w = load<HalfFloats>(weight);
+  return __builtin_shufflevector(w, w, 0, 0, 1, 1, 2, 2, 3, 3);
+}
+
+void velocity_products(const PairRows& list, const float* weight, const float* uv, float* out) {
   for (int i = 0; i < list.rows; ++i) {
-    Doubles sum1{}, sum2{};
-    for (int k = list.begin[i]; k < list.end[i]; k += 4) {
-      const FourIndices j(list.j + k);
-      const Doubled w = doubled(weight + k);
-      sum1 += w.first * two_of(uv, j.a, j.b);
-      sum2 += w.second * two_of(uv, j.c, j.d);
+    Floats sum1{}, sum2{};
+    for (int k = list.begin[i]; k < list.end[i]; k += lanes) {
+      sum1 += doubled_in_float(weight + k) * four_pairs(uv, FourIndices(list.j + k));
+      sum2 += doubled_in_float(weight + k + 4) * four_pairs(uv, FourIndices(list.j + k + 4));
     }
-    store_sum(out + 2 * i, sum1, sum2);
+    float lane[lanes];
+    store(lane, sum1 + sum2);
+    out[2 * i] = (lane[0] + lane[2]) + (lane[4] + lane[6]);
+    out[2 * i + 1] = (lane[1] + lane[3]) + (lane[5] + lane[7]);
   }
 }
 

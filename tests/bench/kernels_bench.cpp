@@ -69,8 +69,9 @@ void divergence(benchmark::State& state) {
 
 void viscous_product(benchmark::State& state) {
   Vessel vessel(state);
-  std::vector<double> out(2 * static_cast<std::size_t>(vessel.particles.active_end()));
-  for (auto _ : state) vessel.fit.laplacian_products(vessel.velocity.data(), out.data());
+  const std::vector<float> velocity(vessel.velocity.begin(), vessel.velocity.end());
+  std::vector<float> out(2 * static_cast<std::size_t>(vessel.particles.active_end()));
+  for (auto _ : state) vessel.fit.laplacian_products(velocity.data(), out.data());
   vessel.count(state);
 }
 

@@ -17,11 +17,11 @@ class FlowPastAThrombus : public testing::TestWithParam<Bump> {};
 
 TEST_P(FlowPastAThrombus, MatchesStokesFlow) {
   const Bump bump = GetParam();
-  Case scene = study_vessel(0.5e-3);
+  Case scene = study_vessel(0.8e-3);
   scene.inflow.profile = Profile::parabolic;
   scene.thrombi.push_back({Wall::lower, 32e-6, bump.radius_over_height * 10e-6});
   const RecordedRun run(scene);
-  const auto& u = run.frames.back().u;  // developed: the start overshoots
+  const auto& u = run.frames.back().u;  // developed: pressure is slow to follow the start
   EXPECT_NEAR(*std::max_element(u.begin(), u.end()) / 0.005, bump.peak_velocity, 0.01 * bump.peak_velocity);
   const double unit = 1e-3 * 0.005 / 10e-6;
   const double free = 12 * unit * 80e-6 / 10e-6;

@@ -13,7 +13,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 Solve solve(const Matrix& a, const Vector& b, Vector& x, double tolerance, int most = 200) {
-  BiCgStab solver;
+  BiCgStab<double> solver;
   const auto n = static_cast<std::size_t>(b.size());
   return solver.solve(
       [&](std::span<const double> in, std::span<double> out) {

@@ -83,8 +83,9 @@ TEST_P(BothPaths, SumOverPairsAlike) {
   expect_same<double>(3 * list.rows, [&](const Kernels& kernels, double* out) {
     kernels.velocity_laplacians(list, w1, uv, out, out + 2 * list.rows);
   });
-  expect_same<double>(2 * list.rows, [&](const Kernels& kernels, double* out) {
-    kernels.velocity_products(list, w1, uv, out);
+  const std::vector<float> in_float(rows_.values.begin(), rows_.values.end());
+  expect_same<float>(2 * list.rows, [&](const Kernels& kernels, float* out) {
+    kernels.velocity_products(list, w1, in_float.data(), out);
   });
   expect_same<double>(2 * list.rows, [&](const Kernels& kernels, double* out) {
     kernels.gradients(list, {rows_.all.data(), list.rows, list.begin}, w1, w2, uv, out);
@@ -109,7 +110,8 @@ TEST_P(BothPaths, MeasureCrowdingAlike) {
 TEST_P(BothPaths, FitAlike) {
   const auto list = rows_.list();
   const std::size_t pairs = rows_.j.size();
-  for (const bool with_laplacian : {true, false}) {
+  for (const auto& [with_laplacian, quartic] :
+       {std::pair(true, true), std::pair(true, false), std::pair(false, false)}) {
     expect_same<float>(3 * pairs + list.rows, [&](const Kernels& kernels, float* out) {
       std::fill(out, out + 3 * pairs, 0.0F);
       std::vector<unsigned char> poor(list.rows);
@@ -120,6 +122,7 @@ TEST_P(BothPaths, FitAlike) {
                    out,
                    out + pairs,
                    with_laplacian ? out + 2 * pairs : nullptr,
+                   quartic,
                    poor.data()});
       std::copy(poor.begin(), poor.end(), out + 3 * pairs);
       EXPECT_GT(std::count(poor.begin(), poor.end(), 1), 5);
