@@ -3,6 +3,7 @@
 #include "engine/effects/bending.h"
 #include "engine/effects/body_force.h"
 #include "engine/effects/contact.h"
+#include "engine/effects/corner_flow.h"
 #include "engine/effects/density_source_relaxation.h"
 #include "engine/effects/effect.h"
 #include "engine/effects/gradient_from_least_pressure.h"
@@ -48,6 +49,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &neighbours,
       &least_squares,
       &body_force,
+      &corner_flow,
       &stretch,
       &bending,
       &contact,

@@ -54,9 +54,13 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   Case driven = coarse_vessel();
   driven.vessel.ends = Ends::periodic;
   driven.body_acceleration = {1, 0};
+  Case lid = coarse_vessel();
+  lid.vessel.shape = Shape::box;
+  lid.vessel.ends = Ends::closed;
+  lid.vessel.wall_velocity.upper = 1;
   for (const EffectKind* kind : catalogue()) {
     bool used = false;
-    for (const Case& scene : {coarse_vessel_with_cells(), published, driven}) {
+    for (const Case& scene : {coarse_vessel_with_cells(), published, driven, lid}) {
       const Need need = kind->need(scene);
       used = used || need.called_for || need.on_request;
     }
