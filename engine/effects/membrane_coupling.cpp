@@ -8,6 +8,7 @@ namespace rouleau::effects {
 namespace {
 
 constexpr double tangential_range = 1.6;  // spacings
+constexpr double most_scaling = 3;        // of a node's normal force, up or down
 
 /// Share of one node's force that one particle receives: an acceleration per acceleration of the node.
 struct Share {
@@ -15,25 +16,37 @@ struct Share {
   double xx, xy, yx, yy;
 };
 
-/// The transfer S of numerics.md: rebuilt every step, and applied to the forces as they are and, as an
-/// implicit force, to what the membranes' stiffness makes of the velocities.
+/// The gradient of a cell's colour at a particle.
+struct ColourGradient {
+  int particle;
+  double x, y;
+};
+
+/// Outward normal of a membrane node, and the length of membrane that it stands for.
+struct Facet {
+  double nx, ny, length;
+};
+
+/// Hands forces of nodes to the fluid, linearly. Of each cell's normal force the mean, a pressure jump, is
+/// carried by the gradient of its colour, taken as a pressure's is: so a jump at rest is balanced exactly.
+/// What differs from the mean is shared out so that the fluid gets what the node gives. Rebuilt every step,
+/// and applied to the forces as they are and, as an implicit force, to what the membranes' stiffness makes of
+/// the velocities.
 class MembraneCoupling : public Effect, public ImplicitForce {
  public:
   void apply(State& state) override {
     build(state);
-    const double per_mass = 1 / (state.spacing * state.spacing);
-    const int nodes = state.particles.membrane_end();
-    for (int node = 0; node < nodes; ++node) {
-      const double ax = state.load.fx[node] * per_mass;
-      const double ay = state.load.fy[node] * per_mass;
-      for (int k = begin_[node]; k < begin_[node + 1]; ++k) {
-        const Share& share = shares_[k];
-        state.ax[share.particle] += share.xx * ax + share.xy * ay;
-        state.ay[share.particle] += share.yx * ax + share.yy * ay;
-      }
-    }
+    per_mass_ = 1 / (state.spacing * state.spacing);
     stiffness_ = &state.load.stiffness;
-    per_mass_ = per_mass;
+    node_rate_.resize(2 * facets_.size());
+    for (std::size_t node = 0; node < facets_.size(); ++node) {
+      node_rate_[2 * node] = state.load.fx[node] * per_mass_;
+      node_rate_[2 * node + 1] = state.load.fy[node] * per_mass_;
+    }
+    hand_over([&](int i, double x, double y) {
+      state.ax[i] += x;
+      state.ay[i] += y;
+    });
     state.implicit_forces.push_back(this);
   }
 
@@ -47,7 +60,7 @@ class MembraneCoupling : public Effect, public ImplicitForce {
  private:
   template <class Real>
   void add_rate_of(const Real* velocity, Real* acceleration) const {
-    node_rate_.assign(2 * (begin_.size() - 1), 0);
+    node_rate_.assign(2 * facets_.size(), 0);
     for (const cells::Stiffness& element : *stiffness_) {
       double along = 0;
       for (int q = 0; q < 3; ++q) {
@@ -60,23 +73,57 @@ class MembraneCoupling : public Effect, public ImplicitForce {
         node_rate_[2 * element.node[q] + 1] += along * element.g[2 * q + 1];
       }
     }
-    for (std::size_t node = 0; node + 1 < begin_.size(); ++node) {
-      const double rx = node_rate_[2 * node];
-      const double ry = node_rate_[2 * node + 1];
-      for (int k = begin_[node]; k < begin_[node + 1]; ++k) {
-        const Share& share = shares_[k];
-        acceleration[2 * share.particle] += static_cast<Real>(share.xx * rx + share.xy * ry);
-        acceleration[2 * share.particle + 1] += static_cast<Real>(share.yx * rx + share.yy * ry);
+    hand_over([&](int i, double x, double y) {
+      acceleration[2 * i] += static_cast<Real>(x);
+      acceleration[2 * i + 1] += static_cast<Real>(y);
+    });
+  }
+
+  /// Takes the accelerations of the nodes out of node_rate_.
+  template <class Add>
+  void hand_over(const Add& add) const {
+    for (const CellRange& cell : cells_) {
+      double normal = 0, perimeter = 0;
+      for (int node = cell.first_node; node < cell.end_node; ++node) {
+        const Facet& facet = facets_[node];
+        normal += node_rate_[2 * node] * facet.nx + node_rate_[2 * node + 1] * facet.ny;
+        perimeter += facet.length;
+      }
+      const double jump = normal / (perimeter * per_mass_);
+      for (int k = cell.first_gradient; k < cell.end_gradient; ++k) {
+        add(gradients_[k].particle, -jump * gradients_[k].x, -jump * gradients_[k].y);
+      }
+      for (int node = cell.first_node; node < cell.end_node; ++node) {
+        const Facet& facet = facets_[node];
+        const double mean = jump * facet.length * per_mass_;
+        const double ax = node_rate_[2 * node] - mean * facet.nx;
+        const double ay = node_rate_[2 * node + 1] - mean * facet.ny;
+        for (int k = begin_[node]; k < begin_[node + 1]; ++k) {
+          const Share& share = shares_[k];
+          add(share.particle, share.xx * ax + share.xy * ay, share.yx * ax + share.yy * ay);
+        }
       }
     }
   }
 
+  struct CellRange {
+    int first_node, end_node;
+    int first_gradient, end_gradient;
+  };
+
   void build(const State& state) {
     begin_.assign(1, 0);
     shares_.clear();
+    gradients_.clear();
+    facets_.clear();
+    cells_.clear();
     for (std::size_t c = 0; c < state.cells.size(); ++c) {
+      const CellState& cell = state.cells[c];
+      const auto first_gradient = static_cast<int>(gradients_.size());
       weigh_colour(state, static_cast<int>(c));
-      for (int q = 0; q < state.cells[c].nodes; ++q) share_out(state, state.cells[c], q);
+      for (int q = 0; q < cell.nodes; ++q) share_out(state, cell, q);
+      cells_.push_back({cell.first_node, cell.first_node + cell.nodes, first_gradient,
+                        static_cast<int>(gradients_.size())});
     }
   }
 
@@ -109,12 +156,12 @@ class MembraneCoupling : public Effect, public ImplicitForce {
       gradient_x_[i] = gx;
       gradient_y_[i] = gy;
       weight_[i] = weight;
+      gradients_.push_back({i, gx, gy});
     }
   }
 
   void share_out(const State& state, const CellState& cell, int q) {
     const auto& particles = state.particles;
-    const auto& list = state.neighbours;
     const int node = cell.first_node + q;
     const int before = cell.first_node + (q + cell.nodes - 1) % cell.nodes;
     const int after = cell.first_node + (q + 1) % cell.nodes;
@@ -127,17 +174,28 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     const double length =
         0.5 * (std::hypot(particles.x[after] - particles.x[node], particles.y[after] - particles.y[node]) +
                std::hypot(particles.x[before] - particles.x[node], particles.y[before] - particles.y[node]));
+    facets_.push_back({nx, ny, length});
     const double jump = state.spacing * state.spacing / length;
 
-    double spread = 1;
-    for (int k = list.begin(node); k < list.end(node); ++k) {
-      if (list.j[k] < particles.active_end()) spread += tangential(state, list.r[k]);
-    }
+    double spread = 0;
+    double received_x = 0, received_y = 0;  // of a unit normal force
+    const auto weigh = [&](int i, double r) {
+      spread += tangential(state, r);
+      if (weight_[i] == 0) return;
+      const double normal = interpolation(state, r) / weight_[i] * jump;
+      received_x -= gradient_x_[i] * normal;
+      received_y -= gradient_y_[i] * normal;
+    };
+    for_each_receiver(state, node, weigh);
+    const double along = received_x * nx + received_y * ny, aside = received_x * tx + received_y * ty;
+    const double scale = 1 / std::clamp(along, 1 / most_scaling, most_scaling);
+    // What goes astray along the membrane is taken back by the tangential part.
+    const double kx = tx - scale * aside * nx, ky = ty - scale * aside * ny;
     const auto give = [&](int i, double r) {
       const double w = tangential(state, r) / spread;
-      Share share{i, w * tx * tx, w * tx * ty, w * tx * ty, w * ty * ty};
+      Share share{i, w * tx * kx, w * tx * ky, w * ty * kx, w * ty * ky};
       if (weight_[i] > 0) {
-        const double normal = interpolation(state, r) / weight_[i] * jump;
+        const double normal = scale * interpolation(state, r) / weight_[i] * jump;
         share.xx -= gradient_x_[i] * normal * nx;
         share.xy -= gradient_x_[i] * normal * ny;
         share.yx -= gradient_y_[i] * normal * nx;
@@ -147,11 +205,18 @@ class MembraneCoupling : public Effect, public ImplicitForce {
       }
       shares_.push_back(share);
     };
-    give(node, 0);
-    for (int k = list.begin(node); k < list.end(node); ++k) {
-      if (list.j[k] < particles.active_end()) give(list.j[k], list.r[k]);
-    }
+    for_each_receiver(state, node, give);
     begin_.push_back(static_cast<int>(shares_.size()));
+  }
+
+  /// The node itself and the active particles around it, each with its distance.
+  template <class Use>
+  static void for_each_receiver(const State& state, int node, const Use& use) {
+    const auto& list = state.neighbours;
+    use(node, 0.0);
+    for (int k = list.begin(node); k < list.end(node); ++k) {
+      if (list.j[k] < state.particles.active_end()) use(list.j[k], static_cast<double>(list.r[k]));
+    }
   }
 
   static bool of_membrane(const State& state, int c, int i) {
@@ -174,6 +239,9 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     return q < 1 ? (1 - q) * (1 - q) * (1 + 2 * q) : 0;
   }
 
+  std::vector<CellRange> cells_;
+  std::vector<Facet> facets_;  ///< [membrane nodes]
+  std::vector<ColourGradient> gradients_;
   std::vector<int> begin_{0};
   std::vector<Share> shares_;
   std::vector<double> gradient_x_, gradient_y_, weight_;
