@@ -72,7 +72,7 @@ Key cells_key() {
                .fallback = cell.bend_modulus},
               {.name = "viscosity_ratio",
                .description = "Viscosity inside over that of the plasma.",
-               .range = only(1),
+               .range = within(1, 50),
                .fallback = cell.viscosity_ratio},
               {.name = "shape",
                .kind = Kind::choice,

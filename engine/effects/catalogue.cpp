@@ -25,6 +25,7 @@
 #include "engine/effects/stretch.h"
 #include "engine/effects/transport.h"
 #include "engine/effects/velocity_correction.h"
+#include "engine/effects/viscosity_contrast.h"
 #include "engine/effects/viscosity_implicit.h"
 #include "engine/effects/viscosity_substeps.h"
 #include "engine/effects/wall_clearance.h"
@@ -48,6 +49,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &periodicity,
       &neighbours,
       &least_squares,
+      &viscosity_contrast,
       &body_force,
       &corner_flow,
       &stretch,

@@ -50,16 +50,16 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     state.implicit_forces.push_back(this);
   }
 
-  void add_rate(const double* velocity, double* acceleration) const override {
-    add_rate_of(velocity, acceleration);
+  void add_response(const double* velocity, double time, double* acceleration) const override {
+    add_response_of(velocity, time, acceleration);
   }
-  void add_rate(const float* velocity, float* acceleration) const override {
-    add_rate_of(velocity, acceleration);
+  void add_response(const float* velocity, double time, float* acceleration) const override {
+    add_response_of(velocity, time, acceleration);
   }
 
  private:
   template <class Real>
-  void add_rate_of(const Real* velocity, Real* acceleration) const {
+  void add_response_of(const Real* velocity, double time, Real* acceleration) const {
     node_rate_.assign(2 * facets_.size(), 0);
     for (const cells::Stiffness& element : *stiffness_) {
       double along = 0;
@@ -67,7 +67,7 @@ class MembraneCoupling : public Effect, public ImplicitForce {
         along += element.g[2 * q] * velocity[2 * element.node[q]] +
                  element.g[2 * q + 1] * velocity[2 * element.node[q] + 1];
       }
-      along *= -element.k * per_mass_;
+      along *= -element.k * per_mass_ * time;
       for (int q = 0; q < 3; ++q) {
         node_rate_[2 * element.node[q]] += along * element.g[2 * q];
         node_rate_[2 * element.node[q] + 1] += along * element.g[2 * q + 1];

@@ -30,10 +30,10 @@ struct CellState {
 class ImplicitForce {
  public:
   virtual ~ImplicitForce() = default;
-  /// Adds to `acceleration` its change for the velocities `velocity`, per unit of time; both interleaved
-  /// (u0, v0, u1, v1, ...) over the active particles.
-  virtual void add_rate(const double* velocity, double* acceleration) const = 0;
-  virtual void add_rate(const float* velocity, float* acceleration) const = 0;
+  /// Adds to `acceleration` what the velocities `velocity`, held for `time`, make of it; both interleaved
+  /// (u0, v0, u1, v1, ...), over the active particles and, for the velocities, those of walls and buffers.
+  virtual void add_response(const double* velocity, double time, double* acceleration) const = 0;
+  virtual void add_response(const float* velocity, double time, float* acceleration) const = 0;
 };
 
 /// Forces on the membrane nodes, per unit depth, and how they answer to a displacement.
@@ -88,6 +88,7 @@ struct State {
   // Over the active particles, valid within a step.
   std::vector<double> ax, ay;  ///< acceleration by forces of this step
   std::vector<const ImplicitForce*> implicit_forces;
+  std::vector<double> viscosity_factor;          ///< over the plasma's, of all that have a velocity; empty: 1
   std::vector<double> source;                    ///< the divergence that is wanted there
   std::vector<double> divergence;                ///< that the published scheme leaves
   std::vector<double> pressure_gx, pressure_gy;  ///< gradient of p at the end of the step

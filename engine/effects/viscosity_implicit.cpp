@@ -50,15 +50,15 @@ class ViscosityImplicit : public Effect {
     const double dt = state.dt;
     const BackwardDifference in_time(state.dt, state.last_dt);
     diffusion_ = in_time.weight * dt * state.viscosity;
-    implicit_time2_ = in_time.weight * dt * dt;
+    implicit_time_ = in_time.weight * dt;
     // Padded to all that a pair can point to.
     const auto length = 2 * static_cast<std::size_t>(particles.velocity_end());
     residual_.assign(length, 0);
     change_.assign(length, 0);
-    first_rate_.assign(length, 0);
+    response_at_first_.assign(length, 0);
     operators::interleave(particles.u, particles.v, velocity_);
     for (const ImplicitForce* force : state.implicit_forces) {
-      force->add_rate(velocity_.data(), first_rate_.data());
+      force->add_response(velocity_.data(), dt, response_at_first_.data());
     }
     state.operators.velocity_laplacians(velocity_.data(), laplacian_, weights_);
     state.operators.pressure_gradients(particles.p.data(), slope_);
@@ -73,7 +73,7 @@ class ViscosityImplicit : public Effect {
         const int k = 2 * i + d;
         residual_[k] =
             static_cast<float>(in_time.weight * dt * (force[d] - slope_[k]) + in_time.history * last[d] +
-                               diffusion_ * laplacian_[k] + implicit_time2_ * first_rate_[k]);
+                               diffusion_ * laplacian_[k] + implicit_time_ * response_at_first_[k]);
       }
     }
     prepare_coarse(state);
@@ -91,10 +91,12 @@ class ViscosityImplicit : public Effect {
     }
     std::fill(out.begin() + 2 * n, out.end(), 0.0F);
     if (!state.implicit_forces.empty()) {
-      rate_.assign(out.size(), 0);
-      for (const ImplicitForce* force : state.implicit_forces) force->add_rate(in.data(), rate_.data());
-      const auto time2 = static_cast<float>(implicit_time2_);
-      for (int k = 0; k < 2 * n; ++k) out[k] -= time2 * rate_[k];
+      response_.assign(out.size(), 0);
+      for (const ImplicitForce* force : state.implicit_forces) {
+        force->add_response(in.data(), state.dt, response_.data());
+      }
+      const auto time = static_cast<float>(implicit_time_);
+      for (int k = 0; k < 2 * n; ++k) out[k] -= time * response_[k];
     }
     precondition(out);
   }
@@ -151,9 +153,9 @@ class ViscosityImplicit : public Effect {
   linear::GridAggregates aggregates_;
   const linear::Aggregates* of_ = nullptr;
   linear::CoarseSpace coarse_;
-  double diffusion_ = 0, implicit_time2_ = 0;
-  std::vector<float> diagonal_, inverse_diagonal_, residual_, change_, rate_;
-  std::vector<double> velocity_, laplacian_, weights_, slope_, first_rate_;
+  double diffusion_ = 0, implicit_time_ = 0;
+  std::vector<float> diagonal_, inverse_diagonal_, residual_, change_, response_;
+  std::vector<double> velocity_, laplacian_, weights_, slope_, response_at_first_;
 };
 
 }  // namespace

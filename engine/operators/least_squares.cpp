@@ -119,6 +119,14 @@ void LeastSquares::fit(simd::FitTask task) {
   simd::kernels().fit(list_->pair_rows(), {list_->dx.data(), list_->dy.data(), list_->r.data()}, task);
 }
 
+void LeastSquares::scale_laplacians(const std::vector<double>& factor) {
+  for (int i = 0; i < list_->rows(); ++i) {
+    for (int k = list_->begin(i); k < list_->end(i); ++k) {
+      laplacian_[k] *= static_cast<float>(0.5 * (factor[i] + factor[list_->j[k]]));
+    }
+  }
+}
+
 Gradient LeastSquares::velocity_gradient(int i, const double* field) const {
   return weighted_sum(*list_, i, dx(i), dy(i), field);
 }

@@ -54,13 +54,15 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   Case driven = coarse_vessel();
   driven.vessel.ends = Ends::periodic;
   driven.body_acceleration = {1, 0};
+  Case viscous = coarse_vessel_with_cells();
+  viscous.cells[0].viscosity_ratio = 5;
   Case lid = coarse_vessel();
   lid.vessel.shape = Shape::box;
   lid.vessel.ends = Ends::closed;
   lid.vessel.wall_velocity.upper = 1;
   for (const EffectKind* kind : catalogue()) {
     bool used = false;
-    for (const Case& scene : {coarse_vessel_with_cells(), published, driven, lid}) {
+    for (const Case& scene : {coarse_vessel_with_cells(), published, driven, viscous, lid}) {
       const Need need = kind->need(scene);
       used = used || need.called_for || need.on_request;
     }

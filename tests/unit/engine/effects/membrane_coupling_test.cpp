@@ -20,7 +20,9 @@ class Coupling : public testing::Test {
 
   std::vector<double> rate_of(const std::vector<double>& velocity) const {
     std::vector<double> rate(velocity.size(), 0);
-    for (const ImplicitForce* force : state_.implicit_forces) force->add_rate(velocity.data(), rate.data());
+    for (const ImplicitForce* force : state_.implicit_forces) {
+      force->add_response(velocity.data(), 1, rate.data());
+    }
     return rate;
   }
 
