@@ -161,7 +161,7 @@ TEST(CaseReader, RefusesValuesOutOfRange) {
   refused("/cells/0/angle", 400, "(degrees)");
   refused("/cells/0/stretch_modulus", 0, "(N/m)");
   refused("/cells/0/bend_modulus", 0, "(J)");
-  refused("/cells/0/viscosity_ratio", 60, "equal to 1");
+  refused("/cells/0/viscosity_ratio", 60, "at most 50");
   refused("/cells/0/shape", "circle", "only \"rest\"");
   refused("/effects/bending", "yes", "one of auto, on, off");
   refused("/effects/bending", true, "one of auto, on, off");
