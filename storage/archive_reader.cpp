@@ -1,6 +1,7 @@
 #include "storage/archive_reader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
@@ -120,6 +121,8 @@ std::vector<Outline> read_outlines(hid_t file, hsize_t k) {
     const auto nodes = static_cast<std::size_t>(hdf5::shape_of(file, path, 3)[1]);
     const auto xy = read_record<float>(file, path, k, 2 * nodes);
     Outline& outline = outlines.emplace_back();
+    const bool left = std::isnan(xy[0]);
+    if (left) continue;
     for (std::size_t i = 0; i < nodes; ++i) {
       outline.x.push_back(xy[2 * i]);
       outline.y.push_back(xy[2 * i + 1]);

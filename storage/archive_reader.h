@@ -25,7 +25,7 @@ struct ProbeTable {
   std::vector<double> flux;     ///< [T] m2/s; none of a single point
 };
 
-/// The closed outline of a cell at one instant, counter-clockwise.
+/// The closed outline of a cell at one instant, counter-clockwise; empty once it has left the vessel.
 struct Outline {
   std::vector<float> x, y;  ///< m
 };

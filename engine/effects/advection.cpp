@@ -12,7 +12,7 @@ class Advection : public Effect {
     state.next_y = particles.y;
     // The velocity half a step ahead, by the change in the last step.
     const double ahead =
-        state.last_dt > 0 && state.cells.empty() && state.scene.numerics.preset != Preset::paper
+        state.last_dt > 0 && !has_membranes(state) && state.scene.numerics.preset != Preset::paper
             ? 0.5 * state.dt / state.last_dt
             : 0;
     const int active = particles.active_end();

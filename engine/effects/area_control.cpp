@@ -17,7 +17,7 @@ class AreaControl : public Effect {
     const double time = std::max(relaxation_time, 2 * state.dt);
     std::vector<double> wanted;
     for (const CellState& cell : state.cells) {
-      wanted.push_back((1 - cells::area(state.ring(cell)) / cell.start_area) / time);
+      wanted.push_back(cell.departure ? 0 : (1 - cells::area(state.ring(cell)) / cell.start_area) / time);
     }
     for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
       if (state.particles.cell[i] >= 0) state.source[i] += wanted[state.particles.cell[i]];
@@ -28,10 +28,13 @@ class AreaControl : public Effect {
 }  // namespace
 
 const EffectKind area_control{
-    "area_control", Stage::pressure, true,
+    "area_control",
+    Stage::pressure,
+    true,
     [](const Case& scene) {
       return of_accurate_scheme(scene, needs_cells(scene, "a cell keeps its volume"));
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<AreaControl>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<AreaControl>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

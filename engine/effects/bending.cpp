@@ -6,10 +6,13 @@
 namespace rouleau::effects {
 
 const EffectKind bending{
-    "bending", Stage::forces, true,
+    "bending",
+    Stage::forces,
+    true,
     [](const Case& scene) { return needs_cells(scene, "a cell's membrane resists bending"); },
     [](State&) -> std::unique_ptr<Effect> {
       return std::make_unique<ElasticEnergy>(cells::add_bending_forces, cells::append_bending_stiffness);
-    }};
+    },
+    has_membranes};
 
 }  // namespace rouleau::effects

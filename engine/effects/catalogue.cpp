@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/effects/advection.h"
 #include "engine/effects/area_control.h"
 #include "engine/effects/bending.h"
@@ -5,7 +7,9 @@
 #include "engine/effects/contact.h"
 #include "engine/effects/corner_flow.h"
 #include "engine/effects/density_source_relaxation.h"
+#include "engine/effects/departure.h"
 #include "engine/effects/effect.h"
+#include "engine/effects/fading.h"
 #include "engine/effects/gradient_from_least_pressure.h"
 #include "engine/effects/inflow.h"
 #include "engine/effects/inflow_flux.h"
@@ -47,6 +51,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &inflow,
       &outflow,
       &periodicity,
+      &departure,
       &neighbours,
       &least_squares,
       &viscosity_contrast,
@@ -55,6 +60,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &stretch,
       &bending,
       &contact,
+      &fading,
       &membrane_coupling,
       &viscosity_implicit,
       &viscosity_substeps,
@@ -101,6 +107,11 @@ Need always(std::string reason) {
 Need needs_cells(const Case& scene, std::string reason) {
   if (scene.cells.empty()) return {false, "the scene has no cells", "/cells"};
   return {true, std::move(reason), "/cells"};
+}
+
+bool has_membranes(const State& state) {
+  return std::any_of(state.cells.begin(), state.cells.end(),
+                     [](const CellState& cell) { return !cell.departure; });
 }
 
 Need of_published_scheme(const Case& scene, std::string reason) {

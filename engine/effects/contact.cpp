@@ -109,8 +109,11 @@ class Contact : public Effect {
 }  // namespace
 
 const EffectKind contact{
-    "contact", Stage::forces, true,
+    "contact",
+    Stage::forces,
+    true,
     [](const Case& scene) { return needs_cells(scene, "a cell can come near walls and membranes"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contact>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contact>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

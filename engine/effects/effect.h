@@ -38,6 +38,7 @@ struct EffectKind {
   bool optional;  ///< a case may switch it off (or, where the scene can carry it, on)
   Need (*need)(const Case& scene);
   std::unique_ptr<Effect> (*make)(State& state);
+  bool (*awake)(const State& state) = nullptr;  ///< whether a step needs it; none: each does
 };
 
 /// Every effect there is, in the order in which a step runs them.
@@ -46,6 +47,8 @@ const std::vector<const EffectKind*>& catalogue();
 /// The usual answers of `EffectKind::need`.
 Need always(std::string reason);
 Need needs_cells(const Case& scene, std::string reason);
+/// The usual answer of `EffectKind::awake` where `needs_cells` called for it: not once every cell has left.
+bool has_membranes(const State& state);
 /// Called for by the published scheme (preset `paper`) alone.
 Need of_published_scheme(const Case& scene, std::string reason);
 /// `need`, except in the published scheme, which does without.

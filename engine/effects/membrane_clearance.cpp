@@ -66,8 +66,11 @@ class MembraneClearance : public Effect {
 }  // namespace
 
 const EffectKind membrane_clearance{
-    "membrane_clearance", Stage::motion, true,
+    "membrane_clearance",
+    Stage::motion,
+    true,
     [](const Case& scene) { return needs_cells(scene, "fluid must not crowd onto a membrane"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneClearance>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneClearance>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

@@ -118,6 +118,7 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     facets_.clear();
     cells_.clear();
     for (std::size_t c = 0; c < state.cells.size(); ++c) {
+      if (state.cells[c].departure) continue;
       const CellState& cell = state.cells[c];
       const auto first_gradient = static_cast<int>(gradients_.size());
       weigh_colour(state, static_cast<int>(c));
@@ -253,8 +254,11 @@ class MembraneCoupling : public Effect, public ImplicitForce {
 }  // namespace
 
 const EffectKind membrane_coupling{
-    "membrane_coupling", Stage::forces, false,
+    "membrane_coupling",
+    Stage::forces,
+    false,
     [](const Case& scene) { return needs_cells(scene, "the fluid feels the membranes' forces"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneCoupling>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneCoupling>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

@@ -47,8 +47,11 @@ class MembraneSides : public Effect {
 }  // namespace
 
 const EffectKind membrane_sides{
-    "membrane_sides", Stage::motion, false,
+    "membrane_sides",
+    Stage::motion,
+    false,
     [](const Case& scene) { return needs_cells(scene, "a membrane lets no fluid through"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneSides>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneSides>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

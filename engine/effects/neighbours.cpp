@@ -19,6 +19,7 @@ class Neighbours : public Effect {
     state.load.fy.assign(nodes, 0);
     state.load.stiffness.clear();
     state.implicit_forces.clear();
+    state.viscosity_factor.clear();
   }
 };
 

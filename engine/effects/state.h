@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/case/case.h"
@@ -16,14 +17,23 @@
 
 namespace rouleau::effects {
 
+/// Where and when a cell left the vessel.
+struct Departure {
+  double time = 0;
+  int outlet = 0;
+  double x = 0, y = 0;  ///< of the centroid of the area it enclosed
+};
+
 /// A red cell in the simulation: a run of membrane nodes, which are particles like any other.
 struct CellState {
   int first_node = 0;  ///< index of its first node among the particles
-  int nodes = 0;
+  int nodes = 0;       ///< none once it has left
   cells::Material material;
   double start_area = 0;           ///< enclosed area that it keeps
   double start_inertia_nodes = 0;  ///< what tau refers to (eq. 23)
   double start_inertia_area = 0;
+  double presence = 1;                   ///< by how much its membrane is felt; sinks to 0 before an outlet
+  std::optional<Departure> departure{};  ///< once it has left
 };
 
 /// A force that is taken at the end of the step, so that a stiff membrane does not shrink the step.

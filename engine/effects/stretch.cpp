@@ -6,10 +6,13 @@
 namespace rouleau::effects {
 
 const EffectKind stretch{
-    "stretch", Stage::forces, true,
+    "stretch",
+    Stage::forces,
+    true,
     [](const Case& scene) { return needs_cells(scene, "a cell's membrane resists being stretched"); },
     [](State&) -> std::unique_ptr<Effect> {
       return std::make_unique<ElasticEnergy>(cells::add_stretch_forces, cells::append_stretch_stiffness);
-    }};
+    },
+    has_membranes};
 
 }  // namespace rouleau::effects

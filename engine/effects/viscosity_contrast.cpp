@@ -40,7 +40,8 @@ class ViscosityContrast : public Effect, public ImplicitForce {
     state.viscosity_factor.assign(particles.velocity_end(), 1);
     for (int i = 0; i < particles.active_end(); ++i) {
       if (particles.cell[i] < 0) continue;
-      const double ratio = state.scene.cells[particles.cell[i]].viscosity_ratio;
+      const int cell = particles.cell[i];
+      const double ratio = 1 + state.cells[cell].presence * (state.scene.cells[cell].viscosity_ratio - 1);
       state.viscosity_factor[i] = i < particles.membrane_end() ? 0.5 * (1 + ratio) : ratio;
     }
   }
@@ -110,7 +111,9 @@ class ViscosityContrast : public Effect, public ImplicitForce {
 }  // namespace
 
 const EffectKind viscosity_contrast{
-    "viscosity_contrast", Stage::operators, false,
+    "viscosity_contrast",
+    Stage::operators,
+    false,
     [](const Case& scene) {
       Need need =
           of_accurate_scheme(scene, needs_cells(scene, "the inside of a cell is not as viscous as plasma"));
@@ -120,6 +123,7 @@ const EffectKind viscosity_contrast{
         return Need{false, "cells are as viscous as plasma", "/cells/0/viscosity_ratio"};
       return need;
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityContrast>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityContrast>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

@@ -1,7 +1,9 @@
 #include "engine/observe/series.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "engine/observe/cell_measures.h"
 #include "engine/observe/fluid_segments.h"
@@ -25,15 +27,17 @@ double worst_divergence(const effects::State& state) {
   return worst;
 }
 
+const std::array cell_columns{Column{"x", "m"},     Column{"y", "m"},         Column{"u", "m/s"},
+                              Column{"v", "m/s"},   Column{"tau", "1"},       Column{"tau_area", "1"},
+                              Column{"area", "m2"}, Column{"perimeter", "m"}, Column{"angle", "deg"}};
+
 }  // namespace
 
 std::vector<Column> series_columns(const Case& scene) {
   std::vector<Column> columns{{"time", "s"}};
   for (std::size_t k = 0; k < scene.cells.size(); ++k) {
     const std::string cell = "cell" + std::to_string(k) + ".";
-    for (const Column& column :
-         {Column{"x", "m"}, Column{"y", "m"}, Column{"u", "m/s"}, Column{"v", "m/s"}, Column{"tau", "1"},
-          Column{"tau_area", "1"}, Column{"area", "m2"}, Column{"perimeter", "m"}, Column{"angle", "deg"}}) {
+    for (const Column& column : cell_columns) {
       columns.push_back({cell + column.name, column.unit});
     }
   }
@@ -54,6 +58,10 @@ std::vector<double> series_row(const effects::State& state, const FlowPlanes& pl
   const Scales& s = state.scales;
   std::vector<double> row{state.time * s.time()};
   for (const effects::CellState& cell : state.cells) {
+    if (cell.departure) {
+      row.insert(row.end(), cell_columns.size(), std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
     const CellMeasures m = measure_cell(state, cell);
     row.insert(row.end(), {m.x, m.y, m.u, m.v, m.tau, m.tau_area, m.area, m.perimeter, m.angle});
   }

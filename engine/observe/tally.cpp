@@ -9,6 +9,15 @@
 
 namespace rouleau::observe {
 
+namespace {
+
+CellDeparture in_si(const effects::Departure& departure, const Scales& scales) {
+  return {departure.time * scales.time(), departure.outlet, departure.x * scales.length,
+          departure.y * scales.length};
+}
+
+}  // namespace
+
 Tally::Tally(const effects::State& state)
     : cells_(state.cells.size(), CellSummary{.peak_tau = 1, .least_tau = 1}),
       planes_(flow_planes(state)),
@@ -17,6 +26,10 @@ Tally::Tally(const effects::State& state)
 
 void Tally::add(const effects::State& state) {
   for (std::size_t k = 0; k < cells_.size(); ++k) {
+    if (state.cells[k].departure) {
+      cells_[k].departure = in_si(*state.cells[k].departure, state.scales);
+      continue;
+    }
     const CellMeasures m = measure_cell(state, state.cells[k]);
     const double length = state.scales.length;
     CellSummary& cell = cells_[k];

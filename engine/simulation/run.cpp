@@ -79,8 +79,8 @@ std::string reason_for(Ending ending) {
   switch (ending) {
     case Ending::completed:
       return "the whole duration was simulated";
-    case Ending::cell_reached_outlet:
-      return "a cell reached the outlet; everything until then is whole";
+    case Ending::cell_reached_inlet:
+      return "a cell was carried back to the inlet; everything until then is whole";
     case Ending::stopped:
       break;
   }
@@ -142,8 +142,8 @@ RunSummary run_case(const Case& resolved, Output& output, const std::stop_token&
     if (frames.due(simulation.time())) output.frame(observe::make_frame(state, observers.wall_shear));
     observing += seconds_since(looked);
     if (simulation.finished()) break;
-    if (simulation.cell_at_outlet()) {
-      ending = Ending::cell_reached_outlet;
+    if (simulation.cell_at_inlet()) {
+      ending = Ending::cell_reached_inlet;
       break;
     }
     if (stop.stop_requested()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -14,9 +15,16 @@ namespace rouleau {
 const char* engine_version();
 
 enum class Ending {
-  completed,            ///< the whole duration
-  cell_reached_outlet,  ///< whole until a cell met the outlet plane
-  stopped,              ///< the stop token asked for it
+  completed,           ///< the whole duration
+  cell_reached_inlet,  ///< whole until a cell was carried back to the inlet plane
+  stopped,             ///< the stop token asked for it
+};
+
+/// Where and when a cell left the vessel.
+struct CellDeparture {
+  double time = 0;      ///< s
+  int outlet = 0;       ///< of a bifurcation 0 lower, 1 upper
+  double x = 0, y = 0;  ///< centroid of the enclosed area, m
 };
 
 struct CellSummary {
@@ -25,6 +33,7 @@ struct CellSummary {
   double peak_tau = 0;
   double least_tau = 0;
   double area_deviation = 0;  ///< the largest |A/A0 - 1|
+  std::optional<CellDeparture> departure{};
 };
 
 /// How many steps a limit held where they were: planned, flow, viscous, elastic, error, rejected or end.

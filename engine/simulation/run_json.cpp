@@ -10,12 +10,17 @@ const char* name_of(Ending ending) {
   switch (ending) {
     case Ending::completed:
       return "completed";
-    case Ending::cell_reached_outlet:
-      return "cell_reached_outlet";
+    case Ending::cell_reached_inlet:
+      return "cell_reached_inlet";
     case Ending::stopped:
       break;
   }
   return "stopped";
+}
+
+nlohmann::json to_json(const std::optional<CellDeparture>& departure) {
+  if (!departure) return nullptr;
+  return {{"time", departure->time}, {"outlet", departure->outlet}, {"x", departure->x}, {"y", departure->y}};
 }
 
 }  // namespace
@@ -27,7 +32,8 @@ nlohmann::json to_json(const RunSummary& summary) {
                      {"peak_velocity_x", cell.peak_velocity_x},
                      {"peak_tau", cell.peak_tau},
                      {"least_tau", cell.least_tau},
-                     {"area_deviation", cell.area_deviation}});
+                     {"area_deviation", cell.area_deviation},
+                     {"departure", to_json(cell.departure)}});
   }
   nlohmann::json bound = nlohmann::json::object();
   for (const LimitCount& limit : summary.step_limits) bound[limit.name] = limit.steps;

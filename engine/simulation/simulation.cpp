@@ -47,6 +47,7 @@ bool Simulation::finished() const {
 void Simulation::run_stage(effects::Stage stage) {
   for (Running& running : effects_) {
     if (running.kind->stage != stage) continue;
+    if (running.kind->awake && !running.kind->awake(state_)) continue;
     const auto start = Clock::now();
     running.effect->apply(state_);
     running.seconds += seconds_since(start);
@@ -104,11 +105,11 @@ void Simulation::step() {
   ++state_.step;
 }
 
-bool Simulation::cell_at_outlet() const {
+bool Simulation::cell_at_inlet() const {
   const auto& particles = state_.particles;
-  for (const geometry::Opening& outlet : state_.outline.outlets()) {
+  for (const geometry::Opening& inlet : state_.outline.inlets()) {
     for (int i = 0; i < particles.membrane_end(); ++i) {
-      if (outlet.beyond(particles.x[i], particles.y[i]) >= -0.5 * state_.spacing) return true;
+      if (inlet.beyond(particles.x[i], particles.y[i]) >= -0.5 * state_.spacing) return true;
     }
   }
   return false;

@@ -32,8 +32,8 @@ class Simulation {
 
   const StepCounts& step_counts() const { return step_control_.counts(); }
 
-  /// Whether a node of a membrane is within half a spacing of the outlet plane.
-  bool cell_at_outlet() const;
+  /// Whether a node of a membrane is within half a spacing of the inlet plane.
+  bool cell_at_inlet() const;
 
   struct Cost {
     const effects::EffectKind* kind;

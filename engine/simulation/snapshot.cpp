@@ -4,6 +4,7 @@ namespace rouleau {
 
 void Snapshot::take(const effects::State& state) {
   particles_ = state.particles;
+  cells_ = state.cells;
   lanes_ = state.lanes;
   pressure_gx_ = state.pressure_gx;
   pressure_gy_ = state.pressure_gy;
@@ -13,6 +14,7 @@ void Snapshot::take(const effects::State& state) {
 
 void Snapshot::restore(effects::State& state) const {
   state.particles = particles_;
+  state.cells = cells_;
   state.lanes = lanes_;
   state.pressure_gx = pressure_gx_;
   state.pressure_gy = pressure_gy_;

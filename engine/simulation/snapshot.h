@@ -12,6 +12,7 @@ class Snapshot {
 
  private:
   particles::ParticleSet particles_;
+  std::vector<effects::CellState> cells_;
   std::vector<effects::Lane> lanes_;
   std::vector<double> pressure_gx_, pressure_gy_;
   effects::Counters counters_;

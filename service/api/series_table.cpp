@@ -52,7 +52,9 @@ std::string series_csv(const storage::SeriesTable& table) {
   for (std::size_t r = 0; r < row_count(table); ++r) {
     for (std::size_t c = 0; c < table.values.size(); ++c) {
       if (c > 0) text += ',';
-      fmt::format_to(std::back_inserter(text), "{}", table.values[c][r]);
+      if (const double value = table.values[c][r]; std::isfinite(value)) {
+        fmt::format_to(std::back_inserter(text), "{}", value);
+      }
     }
     text += '\n';
   }

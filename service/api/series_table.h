@@ -11,7 +11,8 @@ namespace rouleau::service {
 /// `{ "columns": [...], "units": {...}, "rows": [[...], ...] }`; what is not finite is null.
 nlohmann::json series_json(const storage::SeriesTable& table);
 
-/// One header line, then a line a row; numbers with as many digits as tell them apart.
+/// One header line, then a line a row; numbers with as many digits as tell them apart, nothing where a value
+/// is not finite.
 std::string series_csv(const storage::SeriesTable& table);
 
 /// The rows of `table` after `time` (s), none of them if there is no column "time".

@@ -27,6 +27,12 @@ std::string describe_cells(const nlohmann::json& cells) {
         "%\n",
         k, 1e3 * number(cell, "peak_velocity"), 1e6 * number(cell, "peak_velocity_x"),
         number(cell, "least_tau"), number(cell, "peak_tau"), 100 * number(cell, "area_deviation"));
+    if (const auto left = cell.find("departure"); left != cell.end() && left->is_object()) {
+      text +=
+          fmt::format("cell {} left through outlet {} at {:.4g} ms, last at x = {:.2f} um, y = {:.2f} um\n",
+                      k, number(*left, "outlet"), 1e3 * number(*left, "time"), 1e6 * number(*left, "x"),
+                      1e6 * number(*left, "y"));
+    }
   }
   return text;
 }

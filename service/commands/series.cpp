@@ -1,3 +1,4 @@
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -26,7 +27,10 @@ void print_table(const storage::SeriesTable& table) {
   std::cout << '\n';
   const std::size_t rows = table.values.empty() ? 0 : table.values.front().size();
   for (std::size_t r = 0; r < rows; ++r) {
-    for (const auto& values : table.values) std::cout << fmt::format("{:16.6g}", values[r]);
+    for (const auto& values : table.values) {
+      std::cout << (std::isfinite(values[r]) ? fmt::format("{:16.6g}", values[r])
+                                             : fmt::format("{:>16}", "-"));
+    }
     std::cout << '\n';
   }
 }

@@ -7,15 +7,12 @@ namespace rouleau::service {
 namespace {
 
 /// The membrane nodes stand at the head of a frame, cell by cell.
-std::vector<storage::Outline> outlines_of(const Frame& frame, const std::vector<int>& nodes_per_cell) {
-  std::vector<storage::Outline> outlines;
-  std::ptrdiff_t first = 0;
-  for (const int nodes : nodes_per_cell) {
-    const std::ptrdiff_t last = first + nodes;
-    if (static_cast<std::size_t>(last) > frame.x.size()) break;
-    outlines.push_back({{frame.x.begin() + first, frame.x.begin() + last},
-                        {frame.y.begin() + first, frame.y.begin() + last}});
-    first = last;
+std::vector<storage::Outline> outlines_of(const Frame& frame, std::size_t cells) {
+  std::vector<storage::Outline> outlines(cells);
+  for (std::size_t i = 0; i < frame.x.size() && frame.kind[i] == ParticleKind::membrane; ++i) {
+    storage::Outline& outline = outlines.at(static_cast<std::size_t>(frame.cell[i]));
+    outline.x.push_back(frame.x[i]);
+    outline.y.push_back(frame.y[i]);
   }
   return outlines;
 }
@@ -26,7 +23,7 @@ void LiveJob::begin(const RunHeader& header) {
   const std::lock_guard lock(mutex_);
   series_.columns = header.columns;
   series_.values.assign(header.columns.size(), {});
-  nodes_per_cell_ = header.nodes_per_cell;
+  cells_ = header.nodes_per_cell.size();
   walls_ = header.walls;
 }
 
@@ -37,7 +34,7 @@ void LiveJob::series_row(std::span<const double> row) {
 }
 
 void LiveJob::frame(const Frame& frame) {
-  auto outlines = outlines_of(frame, nodes_per_cell_);
+  auto outlines = outlines_of(frame, cells_);
   const std::lock_guard lock(mutex_);
   outlines_.push_back({frame.time, std::move(outlines)});
   last_frame_ = frame;

@@ -57,7 +57,7 @@ class LiveJob : public Output {
 
   mutable std::mutex mutex_;
   storage::SeriesTable series_;
-  std::vector<int> nodes_per_cell_;
+  std::size_t cells_ = 0;
   WallNodes walls_;
   std::vector<Outlines> outlines_;
   std::optional<Frame> last_frame_;

@@ -1,5 +1,7 @@
 #include "storage/archive/outline_writer.h"
 
+#include <limits>
+
 #include "storage/archive/timed_group.h"
 #include "storage/hdf5/text.h"
 
@@ -69,6 +71,7 @@ OutlineWriter::OutlineWriter(hid_t file, const std::vector<int>& nodes_per_cell)
 void OutlineWriter::add(const Frame& frame) {
   std::size_t i = 0;
   for (std::size_t k = 0; k < outlines_.size(); ++k) {
+    const std::size_t numbers = 2 * static_cast<std::size_t>(nodes_per_cell_[k]);
     std::vector<float> xy;
     for (; i < frame.id.size() && frame.kind[i] == ParticleKind::membrane &&
            frame.cell[i] == static_cast<std::int32_t>(k);
@@ -76,7 +79,9 @@ void OutlineWriter::add(const Frame& frame) {
       xy.push_back(frame.x[i]);
       xy.push_back(frame.y[i]);
     }
-    if (xy.size() != 2 * static_cast<std::size_t>(nodes_per_cell_[k])) {
+    const bool left = xy.empty();
+    if (left) xy.assign(numbers, std::numeric_limits<float>::quiet_NaN());
+    if (xy.size() != numbers) {
       throw ArchiveError(ArchiveError::Kind::misuse,
                          "cell " + std::to_string(k) + " has not the membrane nodes that the run announced");
     }

@@ -10,7 +10,7 @@
 namespace rouleau::storage {
 
 /// What a frame says of the cells: `/outlines/cell{k}` [T][nodes][2], `/observables/cell{k}_area` [T], and
-/// once `/connectivity/membrane_bonds` [bonds][2], pairs of particle ids.
+/// once `/connectivity/membrane_bonds` [bonds][2], pairs of particle ids. NaN for a cell that has left.
 class OutlineWriter {
  public:
   OutlineWriter(hid_t file, const std::vector<int>& nodes_per_cell);

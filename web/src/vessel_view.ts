@@ -16,7 +16,7 @@ export interface Scene {
   /** The outlines at earlier instants. */
   trail: Outline[][];
   particles: Particles | undefined;
-  /** Whether the window stays close about the first cell instead of showing the whole vessel. */
+  /** Whether the window stays close about the first cell still in it instead of showing the whole vessel. */
   closeUp: boolean;
   /** The speed that the last colour stands for, m/s. */
   topSpeed: number;
@@ -163,7 +163,7 @@ export class VesselView {
   private window(scene: Scene): [number, number] {
     const { length, diameter } = scene.vessel.vessel;
     if (!scene.closeUp) return [0, length];
-    const first = scene.cells[0];
+    const first = scene.cells.find((cell) => cell.x.length > 0);
     const centre = first ? areaAndCentroid(first.x, first.y).x : (scene.vessel.cells?.[0]?.x ?? 0);
     return stretchAbout(centre, closeUpWidth * diameter, length);
   }

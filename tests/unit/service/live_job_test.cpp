@@ -19,6 +19,9 @@ RunHeader header_of_two_cells() {
 Frame frame_at(double time) {
   Frame frame;
   frame.time = time;
+  frame.kind.assign(5, ParticleKind::membrane);
+  frame.kind.push_back(ParticleKind::plasma);
+  frame.cell = {0, 0, 0, 1, 1, -1};
   frame.x = {0, 1, 2, 10, 11, 50};
   frame.y = {5, 6, 7, 15, 16, 50};
   return frame;
@@ -45,6 +48,21 @@ TEST(LiveJob, ShowsWhatTheRunDelivered) {
   EXPECT_FALSE(job.outlines(2));
   EXPECT_FALSE(job.outlines(-1));
   EXPECT_EQ(job.last_frame()->time, 0.5);
+}
+
+TEST(LiveJob, ACellThatHasLeftHasAnEmptyOutline) {
+  LiveJob job("id", 1);
+  job.begin(header_of_two_cells());
+  Frame frame = frame_at(0);
+  for (auto* numbers : {&frame.x, &frame.y}) numbers->erase(numbers->begin(), numbers->begin() + 3);
+  frame.kind.erase(frame.kind.begin(), frame.kind.begin() + 3);
+  frame.cell.erase(frame.cell.begin(), frame.cell.begin() + 3);
+  job.frame(frame);
+  const auto outlines = job.outlines(0);
+  ASSERT_TRUE(outlines);
+  ASSERT_EQ(outlines->size(), 2u);
+  EXPECT_TRUE((*outlines)[0].x.empty());
+  EXPECT_EQ((*outlines)[1].x, (std::vector<float>{10, 11}));
 }
 
 TEST(LiveJob, StopsForTheFirstReasonGiven) {

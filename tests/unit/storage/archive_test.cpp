@@ -98,6 +98,29 @@ TEST_F(Archive, GivesBackSeriesOutlinesAndTexts) {
   EXPECT_EQ(reader.summary(), to_json(SyntheticRun::summary()));
 }
 
+TEST_F(Archive, OutlinesOfACellEndWhereItLeaves) {
+  ArchiveWriter writer(path, synthetic_case_given);
+  writer.begin(SyntheticRun::header());
+  writer.frame(SyntheticRun::frame(0));
+  Frame later = SyntheticRun::frame(1);
+  for (int i = 0; i < SyntheticRun::nodes; ++i) {
+    later.kind[i] = ParticleKind::plasma;
+    later.cell[i] = -1;
+  }
+  // Membrane nodes come first.
+  std::rotate(later.kind.begin(), later.kind.begin() + SyntheticRun::nodes, later.kind.end());
+  std::rotate(later.cell.begin(), later.cell.begin() + SyntheticRun::nodes, later.cell.end());
+  std::rotate(later.x.begin(), later.x.begin() + SyntheticRun::nodes, later.x.end());
+  writer.frame(later);
+  writer.finish(SyntheticRun::summary());
+  const ArchiveReader reader(path);
+  EXPECT_EQ(reader.outlines(0)[0].x.size(), static_cast<std::size_t>(SyntheticRun::nodes));
+  const auto outlines = reader.outlines(1);
+  ASSERT_EQ(outlines.size(), 2u);
+  EXPECT_TRUE(outlines[0].x.empty());
+  EXPECT_EQ(outlines[1].x, std::vector<float>(later.x.begin(), later.x.begin() + SyntheticRun::nodes));
+}
+
 TEST_F(Archive, GivesBackTheProbes) {
   written(4);
   const ArchiveReader reader(path);

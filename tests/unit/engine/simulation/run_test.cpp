@@ -96,18 +96,15 @@ TEST(Run, TheStopTokenEndsItBetweenTwoSteps) {
   EXPECT_LT(summary.simulated_time, coarse_vessel().duration / 2);
 }
 
-TEST(Run, ACellAtTheOutletEndsIt) {
+TEST(Run, ACellCarriedBackToTheInletEndsIt) {
   Recorder recorder;
   Case scene = coarse_vessel_with_cells();
-  scene.vessel.length = 15e-6;
-  scene.cells[0].x = 11e-6;
+  scene.inflow.waveform = {{0, -1}};
   scene.duration = 5e-3;
   const RunSummary summary = run_case(scene, recorder);
-  EXPECT_EQ(summary.ending, Ending::cell_reached_outlet);
+  EXPECT_EQ(summary.ending, Ending::cell_reached_inlet);
   EXPECT_GT(summary.steps, 3);
   EXPECT_LT(summary.simulated_time, 2e-3);
-  ASSERT_EQ(summary.cells.size(), 1u);
-  EXPECT_GT(summary.cells[0].peak_velocity, 0.002);
   EXPECT_LT(recorder.told.back().fraction, 1);
 }
 
@@ -140,10 +137,10 @@ TEST(Run, ACaseThatCannotBePlannedDoesNotBegin) {
 
 TEST(Run, SummaryAsJsonTellsTheEnding) {
   RunSummary summary;
-  summary.ending = Ending::cell_reached_outlet;
+  summary.ending = Ending::cell_reached_inlet;
   summary.cells.resize(2);
   const nlohmann::json json = to_json(summary);
-  EXPECT_EQ(json.at("ending"), "cell_reached_outlet");
+  EXPECT_EQ(json.at("ending"), "cell_reached_inlet");
   EXPECT_EQ(json.at("cells").size(), 2u);
   EXPECT_FALSE(json.contains("poiseuille_deviation"));
 }

@@ -1,0 +1,39 @@
+#include "engine/effects/fading.h"
+
+#include <algorithm>
+
+namespace rouleau::effects {
+
+namespace {
+
+class Fading : public Effect {
+ public:
+  void apply(State& state) override {
+    const auto presence = [&](int node) { return state.cells[state.particles.cell[node]].presence; };
+    for (int node = 0; node < state.particles.membrane_end(); ++node) {
+      state.load.fx[node] *= presence(node);
+      state.load.fy[node] *= presence(node);
+    }
+    for (cells::Stiffness& element : state.load.stiffness) element.k *= presence(element.node[0]);
+  }
+};
+
+bool any_cell_fades(const State& state) {
+  return std::any_of(state.cells.begin(), state.cells.end(),
+                     [](const CellState& cell) { return !cell.departure && cell.presence < 1; });
+}
+
+}  // namespace
+
+const EffectKind fading{"fading",
+                        Stage::forces,
+                        false,
+                        [](const Case& scene) {
+                          if (!is_open(scene.vessel))
+                            return Need{false, "the vessel has no outlet", "/vessel/ends"};
+                          return needs_cells(scene, "a membrane's forces fade before an outlet");
+                        },
+                        [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Fading>(); },
+                        any_cell_fades};
+
+}  // namespace rouleau::effects
