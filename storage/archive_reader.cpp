@@ -7,6 +7,7 @@
 
 #include "engine/case/case_error.h"
 #include "engine/case/case_json.h"
+#include "storage/archive/opened.h"
 #include "storage/archive/timed_group.h"
 #include "storage/hdf5/array_reader.h"
 #include "storage/hdf5/session.h"
@@ -23,19 +24,6 @@ const std::string trajectory = "/particles/trajectory/";
 
 bool exists(hid_t file, const std::string& path) {
   return checked(H5Lexists(file, path.c_str(), H5P_DEFAULT), path) > 0;
-}
-
-/// Runs `read(file)` with the archive open.
-template <class Read>
-auto opened(const std::filesystem::path& path, Read&& read) {
-  const hdf5::Session session;
-  const hdf5::File file(
-      checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "cannot open " + path.string()));
-  try {
-    return read(file.get());
-  } catch (const ArchiveError& error) {
-    throw ArchiveError(error.kind(), path.string() + ": " + error.what());
-  }
 }
 
 nlohmann::json parsed(const std::string& text, const std::string& name) {
@@ -92,11 +80,8 @@ Frame read_frame(hid_t file, hsize_t k) {
   Frame frame;
   frame.time = read_record<double>(file, time_path, k, 1)[0];
   frame.step = static_cast<long>(read_record<std::int64_t>(file, step_path, k, 1)[0]);
-  for (std::size_t i = 0; i < capacity; ++i) {
-    if (alive[i] == 0) continue;
-    if (species[i] > static_cast<std::uint8_t>(ParticleKind::membrane)) {
-      throw ArchiveError(ArchiveError::Kind::format, "a particle of no known species");
-    }
+  constexpr auto membrane = static_cast<std::uint8_t>(ParticleKind::membrane);
+  const auto add = [&](std::size_t i) {
     frame.id.push_back(id[i]);
     frame.kind.push_back(static_cast<ParticleKind>(species[i]));
     frame.cell.push_back(cell[i]);
@@ -105,6 +90,16 @@ Frame read_frame(hid_t file, hsize_t k) {
     if (!velocity.empty()) frame.u.push_back(velocity[3 * i]);
     if (!velocity.empty()) frame.v.push_back(velocity[3 * i + 1]);
     if (!pressure.empty()) frame.p.push_back(pressure[i]);
+  };
+  // What was the membrane of a cell that has left stands in front of those of the others.
+  for (std::size_t i = 0; i < capacity; ++i) {
+    if (alive[i] != 0 && species[i] == membrane) add(i);
+  }
+  for (std::size_t i = 0; i < capacity; ++i) {
+    if (alive[i] == 0 || species[i] == membrane) continue;
+    if (species[i] > membrane)
+      throw ArchiveError(ArchiveError::Kind::format, "a particle of no known species");
+    add(i);
   }
   if (exists(file, "/walls")) {
     const auto nodes = static_cast<std::size_t>(hdf5::shape_of(file, "/walls/shear_stress", 2)[1]);

@@ -133,6 +133,14 @@ void ArchiveWriter::frame(const Frame& frame) {
   sidecar_.times.push_back(frame.time);
 }
 
+void ArchiveWriter::checkpoint(const Checkpoint&) {
+  write([&] {
+    parts_->write_gathered();
+    file_->flush();
+    sync(file_->path());
+  });
+}
+
 ArchiveFile ArchiveWriter::finish(const RunSummary& summary) {
   write([&] {
     parts_->write_gathered();

@@ -37,6 +37,8 @@ class ArchiveWriter : public Output {
   void series_row(std::span<const double> row) override;
   void probe_row(double time, std::span<const ProbeValues> row) override;
   void frame(const Frame& frame) override;
+  /// Puts all that it was given on the disk.
+  void checkpoint(const Checkpoint& checkpoint) override;
 
   /// Writes how the run ended and publishes the archive, with an .xdmf beside it for ParaView.
   ArchiveFile finish(const RunSummary& summary);

@@ -18,6 +18,8 @@ ArchiveError failure(const std::filesystem::path& path) {
                       path.string() + ": " + std::generic_category().message(errno));
 }
 
+}  // namespace
+
 void sync(const std::filesystem::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) throw failure(path);
@@ -26,8 +28,6 @@ void sync(const std::filesystem::path& path) {
   close(descriptor);
   if (!done) throw error;
 }
-
-}  // namespace
 
 void publish(const std::filesystem::path& aside, const std::filesystem::path& final_name) {
   sync(aside);

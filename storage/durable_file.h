@@ -4,6 +4,10 @@
 
 namespace rouleau::storage {
 
+/// Returns once what was written to a file or folder is on the disk.
+/// @throws ArchiveError
+void sync(const std::filesystem::path& path);
+
 /// Gives a file that was written aside its final name, for good: the content is on the disk before the name,
 /// and the name before this returns.
 /// @throws ArchiveError

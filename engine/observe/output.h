@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -80,6 +81,12 @@ struct Progress {
   double eta_s = 0;  ///< wall time left, s
 };
 
+/// All from which a run can go on as if it had never stopped, between two steps. The bytes are the engine's
+/// own: `head_of` (engine/simulation/checkpoint.h) says what they belong to.
+struct Checkpoint {
+  std::vector<std::byte> bytes;
+};
+
 /// Where a run delivers what it computes. The run calls these in order, from the thread that runs it;
 /// none of them can change the run.
 class Output {
@@ -94,6 +101,8 @@ class Output {
   virtual void frame(const Frame&) {}
   /// Several times a second at most.
   virtual void progress(const Progress&) {}
+  /// All that was delivered until now is before it. Not called unless the run was asked for checkpoints.
+  virtual void checkpoint(const Checkpoint&) {}
 };
 
 }  // namespace rouleau

@@ -16,6 +16,15 @@ class Tally {
   /// Into the summary's members that are the tally's.
   void report(RunSummary& summary) const;
 
+  /// What it has gathered, for a checkpoint.
+  template <class Stream>
+  friend void visit(Stream& stream, Tally& tally) {
+    const std::size_t cells = tally.cells_.size();
+    stream(tally.cells_, tally.volume_in_, tally.volume_out_, tally.volume_through_, tally.deviation_sum_,
+           tally.deviation_worst_, tally.deviation_samples_);
+    tally.cells_.resize(cells);
+  }
+
  private:
   void add_flow(const effects::State& state);
 

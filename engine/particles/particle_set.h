@@ -36,6 +36,13 @@ struct ParticleSet {
   /// Adds a particle at rest with a new id; returns its index.
   int add(Group g, double px, double py, int of_cell = -1);
 
+  /// All that sorting does not find again, for a checkpoint.
+  template <class Stream>
+  friend void visit(Stream& stream, ParticleSet& set) {
+    stream(set.x, set.y, set.u, set.v, set.p, set.du, set.dv, set.phi, set.cell, set.id, set.group,
+           set.next_id_);
+  }
+
  private:
   friend class ParticleSorter;
 

@@ -8,6 +8,8 @@
 #include "engine/observe/series.h"
 #include "engine/observe/tally.h"
 #include "engine/observe/wall_shear.h"
+#include "engine/simulation/checkpoint.h"
+#include "engine/simulation/lasting.h"
 #include "engine/simulation/simulation.h"
 
 namespace rouleau {
@@ -16,7 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double progress_interval = 0.2;  // s of wall time
+// s of wall time
+constexpr double progress_interval = 0.2;
+constexpr double longest_run = 1e9;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -31,6 +35,13 @@ class Schedule {
     if (interval_ <= 0 || time < next_ - 1e-6 * interval_) return false;
     while (next_ <= time + 1e-6 * interval_) next_ = interval_ * static_cast<double>(++count_);
     return true;
+  }
+
+  template <class Stream>
+  friend void visit(Stream& stream, Schedule& schedule) {
+    stream(schedule.count_);
+    schedule.count_ = std::max(schedule.count_, 0L);
+    schedule.next_ = schedule.interval_ * static_cast<double>(schedule.count_);
   }
 
  private:
@@ -116,53 +127,123 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   return summary;
 }
 
+/// A simulation with all that looks at it, from its start or a checkpoint on.
+class Run {
+ public:
+  Run(const Case& resolved, Output& output, const Continuation& continuation)
+      : simulation_(resolved),
+        observers_(simulation_.state()),
+        series_(resolved.output.series_interval),
+        frames_(resolved.output.frame_interval),
+        checkpoint_interval_(continuation.interval),
+        output_(output) {
+    const RunHeader header = header_of(simulation_, observers_);
+    if (continuation.from) restore(*continuation.from);
+    output_.begin(header);
+    told_ = saved_ = Clock::now();
+  }
+
+  RunSummary to_the_end(const std::stop_token& stop) {
+    Ending ending = Ending::completed;
+    while (true) {
+      look();
+      if (simulation_.finished()) break;
+      if (simulation_.cell_at_inlet()) {
+        ending = Ending::cell_reached_inlet;
+        break;
+      }
+      if (stop.stop_requested()) {
+        ending = Ending::stopped;
+        if (checkpoint_interval_ > 0) save();
+        break;
+      }
+      if (checkpoint_interval_ > 0 && seconds_since(saved_) >= checkpoint_interval_) save();
+      simulation_.step();
+      tally();
+      tell();
+    }
+    output_.progress(progress_of(simulation_, start_));
+    RunSummary summary = summarise(simulation_, observers_.tally, ending, seconds_since(start_));
+    summary.effect_times.push_back({"observers", observing_});
+    return summary;
+  }
+
+ private:
+  const effects::State& state() const { return simulation_.state(); }
+
+  void look() {
+    const auto looked = Clock::now();
+    if (series_.due(simulation_.time())) {
+      output_.series_row(observe::series_row(state(), observers_.planes));
+      if (!state().scene.probes.empty())
+        output_.probe_row(simulation_.time(), observers_.probes.sample(state()));
+      ++delivered_.rows;
+    }
+    if (frames_.due(simulation_.time())) {
+      output_.frame(observe::make_frame(state(), observers_.wall_shear));
+      ++delivered_.frames;
+    }
+    observing_ += seconds_since(looked);
+  }
+
+  void tally() {
+    const auto tallied = Clock::now();
+    observers_.tally.add(state());
+    observing_ += seconds_since(tallied);
+  }
+
+  void tell() {
+    if (seconds_since(told_) < progress_interval) return;
+    output_.progress(progress_of(simulation_, start_));
+    told_ = Clock::now();
+  }
+
+  void save() {
+    delivered_.simulated_time = simulation_.time();
+    delivered_.steps = state().step;
+    ByteWriter bytes;
+    write_head(bytes, delivered_, state().scene);
+    double elapsed = seconds_since(start_);
+    bytes(elapsed, observing_, series_, frames_, observers_.tally);
+    simulation_.save(bytes);
+    output_.checkpoint({bytes.take()});
+    saved_ = Clock::now();
+  }
+
+  void restore(const Checkpoint& checkpoint) {
+    ByteReader bytes(checkpoint.bytes);
+    delivered_ = read_head(bytes, state().scene);
+    double elapsed = 0;
+    bytes(elapsed, observing_, series_, frames_, observers_.tally);
+    simulation_.restore(bytes);
+    if (!bytes.at_end()) throw CheckpointError("the checkpoint is damaged: it is too long");
+    if (!(elapsed >= 0 && elapsed < longest_run)) {
+      throw CheckpointError("the checkpoint is damaged: it took no such time");
+    }
+    start_ -= std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(elapsed));
+  }
+
+  Clock::time_point start_ = Clock::now();
+  Simulation simulation_;
+  Observers observers_;
+  Schedule series_, frames_;
+  CheckpointHead delivered_;
+  double checkpoint_interval_;
+  double observing_ = 0;  ///< s of wall time
+  Clock::time_point told_, saved_;
+  Output& output_;
+};
+
 }  // namespace
 
 const char* engine_version() {
   return ROULEAU_VERSION;
 }
 
-RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop) {
-  const auto start = Clock::now();
-  Simulation simulation(resolved);
-  const effects::State& state = simulation.state();
-  Observers observers(state);
-  output.begin(header_of(simulation, observers));
-  Schedule series(resolved.output.series_interval);
-  Schedule frames(resolved.output.frame_interval);
-  double observing = 0;
-  auto told = start;
-  Ending ending = Ending::completed;
-  while (true) {
-    const auto looked = Clock::now();
-    if (series.due(simulation.time())) {
-      output.series_row(observe::series_row(state, observers.planes));
-      if (!state.scene.probes.empty()) output.probe_row(simulation.time(), observers.probes.sample(state));
-    }
-    if (frames.due(simulation.time())) output.frame(observe::make_frame(state, observers.wall_shear));
-    observing += seconds_since(looked);
-    if (simulation.finished()) break;
-    if (simulation.cell_at_inlet()) {
-      ending = Ending::cell_reached_inlet;
-      break;
-    }
-    if (stop.stop_requested()) {
-      ending = Ending::stopped;
-      break;
-    }
-    simulation.step();
-    const auto tallied = Clock::now();
-    observers.tally.add(state);
-    observing += seconds_since(tallied);
-    if (seconds_since(told) >= progress_interval) {
-      output.progress(progress_of(simulation, start));
-      told = Clock::now();
-    }
-  }
-  output.progress(progress_of(simulation, start));
-  RunSummary summary = summarise(simulation, observers.tally, ending, seconds_since(start));
-  summary.effect_times.push_back({"observers", observing});
-  return summary;
+RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop,
+                    const Continuation& continuation) {
+  Run run(resolved, output, continuation);
+  return run.to_the_end(stop);
 }
 
 }  // namespace rouleau

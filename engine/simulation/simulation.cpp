@@ -6,6 +6,7 @@
 
 #include "engine/error/simulation_error.h"
 #include "engine/simulation/arrange.h"
+#include "engine/simulation/lasting.h"
 
 namespace rouleau {
 
@@ -119,6 +120,19 @@ std::vector<Simulation::Cost> Simulation::costs() const {
   std::vector<Cost> costs;
   for (const Running& running : effects_) costs.push_back({running.kind, running.seconds});
   return costs;
+}
+
+void Simulation::save(ByteWriter& bytes) {
+  bytes(state_, step_control_);
+  for (Running& running : effects_) bytes(running.seconds);
+}
+
+void Simulation::restore(ByteReader& bytes) {
+  const std::size_t lanes = state_.lanes.size();
+  bytes(state_, step_control_);
+  for (Running& running : effects_) bytes(running.seconds);
+  check_lasting(state_, lanes);
+  run_stage(effects::Stage::operators);
 }
 
 }  // namespace rouleau

@@ -5,6 +5,7 @@
 
 #include "engine/effects/effect.h"
 #include "engine/plan/plan.h"
+#include "engine/simulation/byte_stream.h"
 #include "engine/simulation/snapshot.h"
 #include "engine/simulation/step_control.h"
 
@@ -41,6 +42,11 @@ class Simulation {
   };
   /// Wall time spent in each effect so far, in the order in which they run.
   std::vector<Cost> costs() const;
+
+  /// All that `restore` needs to go on from here as if the run had never stopped.
+  void save(ByteWriter& bytes);
+  /// @throws CheckpointError if they cannot have been saved by this plan
+  void restore(ByteReader& bytes);
 
  private:
   struct Running {

@@ -50,6 +50,13 @@ class StepControl {
 
   const StepCounts& counts() const { return counts_; }
 
+  /// What one step leaves for the next, for a checkpoint.
+  template <class Stream>
+  friend void visit(Stream& stream, StepControl& control) {
+    stream(control.allowed_by_error_, control.allowed_after_rejection_, control.rejections_in_a_row_,
+           control.counts_);
+  }
+
  private:
   double planned_;
   double duration_;

@@ -3,11 +3,14 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/case/case_json.h"
+#include "engine/error/checkpoint_error.h"
 #include "engine/plan/plan.h"
 #include "service/commands/case_file.h"
 #include "service/commands/command.h"
@@ -17,6 +20,7 @@
 #include "service/interrupt.h"
 #include "service/queue/fan_out.h"
 #include "storage/archive_writer.h"
+#include "storage/interrupted_run.h"
 
 namespace rouleau::service {
 
@@ -26,6 +30,8 @@ struct Options {
   std::string file;
   std::string archive;
   std::vector<std::string> settings;
+  bool resume = false;
+  double checkpoint_interval = 60;
 };
 
 class ProgressOutput : public Output {
@@ -35,6 +41,34 @@ class ProgressOutput : public Output {
  private:
   ProgressLine line_;
 };
+
+std::optional<storage::InterruptedRun> interrupted_run(const std::filesystem::path& archive,
+                                                       const Case& resolved) {
+  try {
+    return storage::find_interrupted(archive, resolved);
+  } catch (const CheckpointError& error) {
+    throw CommandError(exit_bad_input, std::string(error.what()) + "; without --resume the run begins anew");
+  }
+}
+
+/// Runs the case from its start or from where it was interrupted, and keeps checkpoints.
+RunSummary run_on(const Case& resolved, const Options& options, const std::filesystem::path& archive,
+                  storage::ArchiveWriter& writer, const std::stop_token& stop) {
+  const auto interrupted = options.resume ? interrupted_run(archive, resolved) : std::nullopt;
+  storage::CheckpointKeeper checkpoints(archive);
+  ProgressOutput progress;
+  std::vector<Output*> outputs{&writer, &checkpoints, &progress};
+  std::optional<storage::ResumedOutput> resumed;
+  if (interrupted) {
+    outputs.push_back(&resumed.emplace(*interrupted, writer));
+    std::cerr << fmt::format("going on from {:.4g} ms\n", 1e3 * interrupted->head.simulated_time);
+  } else {
+    checkpoints.remove();
+  }
+  FanOut output(outputs);
+  return run_case(resolved, output, stop,
+                  {interrupted ? &interrupted->checkpoint : nullptr, options.checkpoint_interval});
+}
 
 int run(const Options& options, bool json) {
   std::stop_source stop;
@@ -48,14 +82,11 @@ int run(const Options& options, bool json) {
                               : std::filesystem::path(options.archive);
 
   storage::ArchiveWriter writer(archive, options.settings.empty() ? given : dump(document));
-  RunSummary summary;
-  {
-    ProgressOutput progress;
-    FanOut output(writer, progress);
-    summary = run_case(resolved, output, stop.get_token());
-  }
+  const RunSummary summary = run_on(resolved, options, archive, writer, stop.get_token());
   // A run that was interrupted is kept as far as it came.
   const storage::ArchiveFile file = writer.finish(summary);
+  const bool stopped = summary.ending == Ending::stopped;
+  if (!stopped) storage::CheckpointKeeper(archive).remove();
   if (json) {
     std::cout << dump({{"archive", archive.string()},
                        {"size", file.size},
@@ -64,8 +95,9 @@ int run(const Options& options, bool json) {
               << '\n';
   } else {
     std::cout << describe_summary(to_json(summary)) << "archive: " << archive.string() << '\n';
+    if (stopped && options.checkpoint_interval > 0) std::cout << "the same command with --resume goes on\n";
   }
-  return summary.ending == Ending::stopped ? exit_failed : exit_done;
+  return stopped ? exit_failed : exit_done;
 }
 
 }  // namespace
@@ -78,6 +110,13 @@ void add_run(CLI::App& app, Action& action) {
                       "The archive (default: the case's name with .h5, here)");
   command->add_option("--set", options->settings, "/json/pointer=value: change the case; may be repeated")
       ->allow_extra_args(false);
+  command->add_flag("--resume", options->resume,
+                    "Go on from the last checkpoint, if there is one, as if never stopped");
+  command
+      ->add_option("--checkpoint-interval", options->checkpoint_interval,
+                   "Seconds between checkpoints, which lie beside the archive; 0: none")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--json", action.json, "Print the summary as JSON");
   command->callback(
       [&action, options] { action.run = [&action, options] { return run(*options, action.json); }; });

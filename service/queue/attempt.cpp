@@ -65,7 +65,7 @@ void Attempt::compute() {
   }
   const Case resolved = read_case(claimed_.text.resolved);
   storage::ArchiveWriter writer(archive_, claimed_.text.given);
-  FanOut output(writer, *live_);
+  FanOut output({&writer, live_.get()});
   const RunSummary summary = run_case(resolved, output, live_->stop_token());
   if (summary.ending == Ending::stopped) {
     end_stopped();

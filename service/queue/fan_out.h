@@ -1,38 +1,39 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "engine/observe/output.h"
 
 namespace rouleau::service {
 
-/// Hands what a run delivers to two outputs, to the durable one first: what others see is then kept as well.
+/// Hands what a run delivers to several outputs, to the durable one first: what others see is then kept as
+/// well.
 class FanOut : public Output {
  public:
-  FanOut(Output& first, Output& second) : first_(first), second_(second) {}
+  explicit FanOut(std::vector<Output*> outputs) : outputs_(std::move(outputs)) {}
 
   void begin(const RunHeader& header) override {
-    first_.begin(header);
-    second_.begin(header);
+    for (Output* output : outputs_) output->begin(header);
   }
   void series_row(std::span<const double> row) override {
-    first_.series_row(row);
-    second_.series_row(row);
+    for (Output* output : outputs_) output->series_row(row);
   }
   void probe_row(double time, std::span<const ProbeValues> row) override {
-    first_.probe_row(time, row);
-    second_.probe_row(time, row);
+    for (Output* output : outputs_) output->probe_row(time, row);
   }
   void frame(const Frame& frame) override {
-    first_.frame(frame);
-    second_.frame(frame);
+    for (Output* output : outputs_) output->frame(frame);
   }
   void progress(const Progress& progress) override {
-    first_.progress(progress);
-    second_.progress(progress);
+    for (Output* output : outputs_) output->progress(progress);
+  }
+  void checkpoint(const Checkpoint& checkpoint) override {
+    for (Output* output : outputs_) output->checkpoint(checkpoint);
   }
 
  private:
-  Output& first_;
-  Output& second_;
+  std::vector<Output*> outputs_;
 };
 
 }  // namespace rouleau::service

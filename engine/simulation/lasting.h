@@ -1,0 +1,83 @@
+#pragma once
+
+#include "engine/effects/state.h"
+#include "engine/simulation/byte_stream.h"
+#include "engine/simulation/run.h"
+#include "engine/simulation/step_control.h"
+
+/// What lasts from step to step, listed for checkpoints. Structured bindings name every member, so that one
+/// that is added does not compile before it is listed here.
+
+namespace rouleau {
+
+template <class Stream>
+void visit(Stream& stream, StepCounts& counts) {
+  auto& [bound, rejected, least, most] = counts;
+  stream(bound, rejected, least, most);
+}
+
+template <class Stream>
+void visit(Stream& stream, CellDeparture& departure) {
+  auto& [time, outlet, x, y] = departure;
+  stream(time, outlet, x, y);
+}
+
+template <class Stream>
+void visit(Stream& stream, CellSummary& cell) {
+  auto& [peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, departure] = cell;
+  stream(peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, departure);
+}
+
+namespace cells {
+
+template <class Stream>
+void visit(Stream& stream, Material& material) {
+  auto& [stretch_modulus, bend_modulus, rest_length, crush_stiffening] = material;
+  stream(stretch_modulus, bend_modulus, rest_length, crush_stiffening);
+}
+
+}  // namespace cells
+
+namespace effects {
+
+template <class Stream>
+void visit(Stream& stream, Departure& departure) {
+  auto& [time, outlet, x, y] = departure;
+  stream(time, outlet, x, y);
+}
+
+template <class Stream>
+void visit(Stream& stream, CellState& cell) {
+  auto& [first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, presence,
+         departure] = cell;
+  stream(first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, presence,
+         departure);
+}
+
+template <class Stream>
+void visit(Stream& stream, Lane& lane) {
+  auto& [y, velocity, speed, head] = lane;
+  stream(y, velocity, speed, head);
+}
+
+template <class Stream>
+void visit(Stream& stream, Counters& counters) {
+  auto& [wrong_side, emitted, absorbed, viscosity_iterations, pressure_iterations, peak_speed] = counters;
+  stream(wrong_side, emitted, absorbed, viscosity_iterations, pressure_iterations, peak_speed);
+}
+
+/// The rest of a state follows from the scene, or is found anew in every step.
+template <class Stream>
+void visit(Stream& stream, State& state) {
+  stream(state.time, state.step, state.dt, state.last_dt, state.speed, state.particles, state.cells,
+         state.lanes, state.counters);
+}
+
+}  // namespace effects
+
+/// Whether a state that was read can be one of its scene: whatever the bytes were, a run goes on from it
+/// without touching memory that is not its own.
+/// @throws CheckpointError
+void check_lasting(const effects::State& state, std::size_t lanes);
+
+}  // namespace rouleau
