@@ -1,14 +1,12 @@
 #include "engine/effects/corner_flow.h"
 
-#include "engine/operators/scraper_flow.h"
-
 namespace rouleau::effects {
 
 namespace {
 
 class CornerFlow : public Effect {
  public:
-  explicit CornerFlow(const State& state) : flow_(state.outline.walls()) {}
+  explicit CornerFlow(State& state) { state.corner_flow.emplace(state.outline.walls()); }
 
   /// Adds what the fits make of the known flow where they should find nothing: its divergence, and its
   /// viscous force less its pressure gradient.
@@ -17,7 +15,7 @@ class CornerFlow : public Effect {
     velocity_.assign(2 * particles.x.size(), 0);
     pressure_.assign(particles.x.size(), 0);
     for (int i = 0; i < particles.velocity_end(); ++i) {
-      const operators::KnownFlow known = flow_.at(particles.x[i], particles.y[i]);
+      const operators::KnownFlow known = state.corner_flow->at(particles.x[i], particles.y[i]);
       velocity_[2 * i] = known.u;
       velocity_[2 * i + 1] = known.v;
       pressure_[i] = state.viscosity * known.p;
@@ -33,7 +31,6 @@ class CornerFlow : public Effect {
   }
 
  private:
-  operators::ScraperFlow flow_;
   std::vector<double> velocity_, pressure_, divergence_, laplacian_, weights_, slope_;
 };
 

@@ -12,6 +12,7 @@
 #include "engine/geometry/outline.h"
 #include "engine/operators/cross_section.h"
 #include "engine/operators/least_squares.h"
+#include "engine/operators/scraper_flow.h"
 #include "engine/particles/neighbour_list.h"
 #include "engine/particles/particle_set.h"
 
@@ -94,6 +95,7 @@ struct State {
   std::vector<CellState> cells;
   std::vector<Lane> lanes;
   MembraneLoad load;
+  std::optional<operators::ScraperFlow> corner_flow;  ///< that the fits leave out; none: the fits are of all
 
   // Over the active particles, valid within a step.
   std::vector<double> ax, ay;  ///< acceleration by forces of this step

@@ -1,5 +1,7 @@
 #include "engine/effects/transport.h"
 
+#include <array>
+
 namespace rouleau::effects {
 
 namespace {
@@ -17,7 +19,9 @@ class Transport : public Effect {
       fields_[4 * i + 1] = particles.v[i];
       fields_[4 * i + 2] = particles.p[i];
     }
-    state.operators.field_gradients(fields_.data(), particles.p.data(), gradients_);
+    pressure_ = particles.p;
+    leave_out_corner_flow(state);
+    state.operators.field_gradients(fields_.data(), pressure_.data(), gradients_);
     average_membranes(state);
     for (int i = 0; i < n; ++i) {
       // Derivatives of u, v and p.
@@ -27,11 +31,12 @@ class Transport : public Effect {
       if (i < particles.membrane_end()) continue;
       const double sx = state.shift_x[i], sy = state.shift_y[i];
       // The pressure field stands still, but beside a membrane it moves along with it.
-      const double wx = sx + state.dt * (fields_[4 * i] - membrane_[2 * i]);
-      const double wy = sy + state.dt * (fields_[4 * i + 1] - membrane_[2 * i + 1]);
+      const double wx = sx + state.dt * (particles.u[i] - membrane_[2 * i]);
+      const double wy = sy + state.dt * (particles.v[i] - membrane_[2 * i + 1]);
       particles.u[i] += sx * dx[0] + sy * dy[0];
       particles.v[i] += sx * dx[1] + sy * dy[1];
       particles.p[i] += wx * dx[2] + wy * dy[2];
+      if (state.corner_flow) carry_corner_flow(state, i, {sx, sy}, {wx, wy});
     }
     smooth_pressure(state);
     for (int i = 0; i < particles.inlet_end(); ++i) {
@@ -45,6 +50,30 @@ class Transport : public Effect {
   }
 
  private:
+  /// Beside the corners of moving walls only what differs from the flow that is known there is fitted.
+  void leave_out_corner_flow(const State& state) {
+    if (!state.corner_flow) return;
+    const auto& particles = state.particles;
+    for (int i = 0; i < particles.velocity_end(); ++i) {
+      const operators::KnownFlow known = state.corner_flow->at(particles.x[i], particles.y[i]);
+      fields_[4 * i] -= known.u;
+      fields_[4 * i + 1] -= known.v;
+      fields_[4 * i + 2] -= state.viscosity * known.p;
+      pressure_[i] = fields_[4 * i + 2];
+    }
+  }
+
+  /// What the known flow changes over the displacements of velocity and of pressure.
+  static void carry_corner_flow(State& state, int i, const std::array<double, 2>& s,
+                                const std::array<double, 2>& w) {
+    auto& particles = state.particles;
+    const double x = particles.x[i], y = particles.y[i];
+    const auto here = state.corner_flow->at(x, y), there = state.corner_flow->at(x + s[0], y + s[1]);
+    particles.u[i] += there.u - here.u;
+    particles.v[i] += there.v - here.v;
+    particles.p[i] += state.viscosity * (state.corner_flow->at(x + w[0], y + w[1]).p - here.p);
+  }
+
   /// Takes out what no gradient sees: the part of p that differs from the neighbours' by more than the mean
   /// of both gradients leads to (Antuono et al. 2010 do so to a density). It would grow beside walls, where
   /// gradient and divergence are not adjoint. Exact for quadratic fields; not across membranes, where
@@ -80,8 +109,8 @@ class Transport : public Effect {
       for (int k = list.begin(node); k < list.end(node); ++k) {
         const int i = list.j[k];
         if (i >= n) continue;
-        membrane_[2 * i] += fields_[4 * node];
-        membrane_[2 * i + 1] += fields_[4 * node + 1];
+        membrane_[2 * i] += state.particles.u[node];
+        membrane_[2 * i + 1] += state.particles.v[node];
         ++nodes_[i];
       }
     }
@@ -92,7 +121,7 @@ class Transport : public Effect {
     }
   }
 
-  std::vector<double> fields_, gradients_, membrane_;
+  std::vector<double> fields_, pressure_, gradients_, membrane_;
   std::vector<int> nodes_;
 };
 
