@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+
+#include "engine/cells/contact.h"
 
 namespace rouleau::effects {
 
@@ -13,97 +14,68 @@ namespace {
 constexpr double wall_range = 0.5;
 constexpr double membrane_range = 0.75;
 constexpr int own_neighbourhood = 6;
-// Acceleration of a node in full contact, in nu U / d0^2: ten times what viscous traction can bring up.
+// Acceleration of a node at 0.38 of the range, in nu U / d0^2: ten times what viscous traction can bring up.
 constexpr double strength = 10;
 
-/// The point of a link nearest to a node.
-struct Touch {
-  double distance = 1e300;
-  int a = -1, b = -1;  ///< the link's nodes
-  double s = 0;        ///< position along it
-  double nx = 0, ny = 0;
-};
-
-class Contact : public Effect {
+class Contacts : public Effect {
  public:
   void apply(State& state) override {
+    boxes_.clear();
+    for (const CellState& cell : state.cells) boxes_.emplace_back(state.ring(cell));
+    bool touches = false;
     for (std::size_t c = 0; c < state.cells.size(); ++c) {
-      const CellState& cell = state.cells[c];
-      for (int q = 0; q < cell.nodes; ++q) {
-        push_off_walls(state, cell, cell.first_node + q);
-        push_off_membranes(state, cell, cell.first_node + q);
-      }
+      find_walls(state, c);
+      touches |= push(state, c, wall_range);
+      find_membranes(state, c);
+      touches |= push(state, c, membrane_range);
     }
+    if (touches) ++state.counters.contact_steps;
   }
 
  private:
-  static double force(const State& state, const CellState& cell, double closeness) {
-    const double acceleration = strength * state.viscosity / (state.spacing * state.spacing);
-    return acceleration * closeness * closeness * cell.material.rest_length * state.spacing;
-  }
-
-  static void push_off_walls(State& state, const CellState& cell, int node) {
-    const auto wall = state.outline.distance(state.particles.x[node], state.particles.y[node]);
-    const double closeness = 1 - wall.value / (wall_range * state.spacing);
-    if (closeness <= 0) return;
-    const double f = force(state, cell, closeness);
-    state.load.fx[node] += f * wall.nx;
-    state.load.fy[node] += f * wall.ny;
-  }
-
-  static void push_off_membranes(State& state, const CellState& cell, int node) {
-    const int own = state.particles.cell[node];
-    for (std::size_t c = 0; c < state.cells.size(); ++c) {
-      const Touch touch = nearest_link(state, state.cells[c], node, static_cast<int>(c) == own);
-      const double closeness = 1 - touch.distance / (membrane_range * state.spacing);
-      if (touch.a < 0 || closeness <= 0) continue;
-      const double f = force(state, cell, closeness);
-      state.load.fx[node] += f * touch.nx;
-      state.load.fy[node] += f * touch.ny;
-      state.load.fx[touch.a] -= (1 - touch.s) * f * touch.nx;
-      state.load.fy[touch.a] -= (1 - touch.s) * f * touch.ny;
-      state.load.fx[touch.b] -= touch.s * f * touch.nx;
-      state.load.fy[touch.b] -= touch.s * f * touch.ny;
+  void find_walls(const State& state, std::size_t c) {
+    const double range = wall_range * state.spacing;
+    const cells::Box& box = boxes_[c].whole();
+    const double reach = std::hypot(box.x1 - box.x0, box.y1 - box.y0) / 2 + range;
+    if (state.outline.distance((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2).value > reach) return;
+    const int first = state.cells[c].first_node;
+    const cells::Ring ring = boxes_[c].ring();
+    for (std::size_t q = 0; q < ring.size(); ++q) {
+      const int node = first + static_cast<int>(q);
+      state.outline.visit_near(ring.x[q], ring.y[q], range, [&](const geometry::WallDistance& wall) {
+        contacts_.push_back(
+            {.link = {node, node}, .nx = -wall.nx, .ny = -wall.ny, .gap = wall.value, .weight = 1});
+      });
+    }
+    for (const geometry::Wedge& wedge : state.outline.wedges()) {
+      cells::append_disc_contacts(boxes_[c], first, wedge.before.at, 0, range, contacts_);
+    }
+    for (const geometry::Bump& bump : state.outline.bumps()) {
+      cells::append_disc_contacts(boxes_[c], first, bump.centre, bump.radius, range, contacts_);
     }
   }
 
-  /// Among the links at the nodes in the node's neighbour list. The push is along the link's outward normal
-  /// off another cell (also when the node is already past it), and away from the point within one's own.
-  static Touch nearest_link(const State& state, const CellState& other, int node, bool own) {
-    const auto& particles = state.particles;
-    Touch touch;
-    for (int k = state.neighbours.begin(node); k < state.neighbours.end(node); ++k) {
-      const int j = state.neighbours.j[k] - other.first_node;
-      if (j < 0 || j >= other.nodes) continue;
-      for (const int from : {(j + other.nodes - 1) % other.nodes, j}) {
-        const int to = (from + 1) % other.nodes;
-        if (own && (ring_distance(from, node - other.first_node, other.nodes) <= own_neighbourhood ||
-                    ring_distance(to, node - other.first_node, other.nodes) <= own_neighbourhood)) {
-          continue;
-        }
-        const int a = other.first_node + from;
-        const int b = other.first_node + to;
-        const double ex = particles.x[b] - particles.x[a], ey = particles.y[b] - particles.y[a];
-        const double px = particles.x[node] - particles.x[a], py = particles.y[node] - particles.y[a];
-        const double s = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
-        const double dx = px - s * ex, dy = py - s * ey;
-        const double distance = std::hypot(dx, dy);
-        if (distance >= touch.distance) continue;
-        const double length = std::hypot(ex, ey);
-        touch = {distance, a, b, s, ey / length, -ex / length};
-        if (own && distance > 0) {
-          touch.nx = dx / distance;
-          touch.ny = dy / distance;
-        }
-      }
+  void find_membranes(const State& state, std::size_t c) {
+    for (std::size_t other = 0; other < state.cells.size(); ++other) {
+      cells::append_contacts(boxes_[c], state.cells[c].first_node, boxes_[other],
+                             state.cells[other].first_node, membrane_range * state.spacing,
+                             other == c ? own_neighbourhood : -1, contacts_);
     }
-    return touch;
   }
 
-  static int ring_distance(int a, int b, int nodes) {
-    const int along = std::abs(a - b);
-    return std::min(along, nodes - along);
+  /// Whether there was anything to push.
+  bool push(State& state, std::size_t c, double range) {
+    if (contacts_.empty()) return false;
+    const double force = strength * state.viscosity * state.cells[c].material.rest_length / state.spacing;
+    const cells::ContactLaw law{force, range * state.spacing};
+    cells::add_contact_forces(contacts_, law, state.load.fx, state.load.fy);
+    cells::append_contact_stiffness(contacts_, law, state.load.stiffness);
+    contacts_.clear();
+    return true;
   }
+
+  std::vector<cells::LinkBoxes> boxes_;
+  std::vector<cells::Contact> contacts_;
 };
 
 }  // namespace
@@ -113,7 +85,7 @@ const EffectKind contact{
     Stage::forces,
     true,
     [](const Case& scene) { return needs_cells(scene, "a cell can come near walls and membranes"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contact>(); },
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contacts>(); },
     has_membranes};
 
 }  // namespace rouleau::effects

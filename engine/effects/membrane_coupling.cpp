@@ -178,10 +178,14 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     facets_.push_back({nx, ny, length});
     const double jump = state.spacing * state.spacing / length;
 
+    // What another membrane encloses, and that membrane, are not dragged along.
+    const auto spread_weight = [&](int i, double r) {
+      return particles.cell[i] < 0 || particles.cell[i] == particles.cell[node] ? tangential(state, r) : 0;
+    };
     double spread = 0;
     double received_x = 0, received_y = 0;  // of a unit normal force
     const auto weigh = [&](int i, double r) {
-      spread += tangential(state, r);
+      spread += spread_weight(i, r);
       if (weight_[i] == 0) return;
       const double normal = interpolation(state, r) / weight_[i] * jump;
       received_x -= gradient_x_[i] * normal;
@@ -193,7 +197,7 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     // What goes astray along the membrane is taken back by the tangential part.
     const double kx = tx - scale * aside * nx, ky = ty - scale * aside * ny;
     const auto give = [&](int i, double r) {
-      const double w = tangential(state, r) / spread;
+      const double w = spread_weight(i, r) / spread;
       Share share{i, w * tx * kx, w * tx * ky, w * ty * kx, w * ty * ky};
       if (weight_[i] > 0) {
         const double normal = scale * interpolation(state, r) / weight_[i] * jump;

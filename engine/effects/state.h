@@ -33,6 +33,8 @@ struct CellState {
   double start_area = 0;           ///< enclosed area that it keeps
   double start_inertia_nodes = 0;  ///< what tau refers to (eq. 23)
   double start_inertia_area = 0;
+  double start_perimeter = 0;
+  double start_phase = 0;  ///< of tank-treading, degrees
   double presence = 1;                   ///< by how much its membrane is felt; sinks to 0 before an outlet
   std::optional<Departure> departure{};  ///< once it has left
 };
@@ -64,6 +66,7 @@ struct Lane {
 /// What happened so far, for the summary.
 struct Counters {
   long wrong_side = 0;
+  long contact_steps = 0;  ///< in which a membrane was in contact
   long emitted = 0, absorbed = 0;
   long viscosity_iterations = 0, pressure_iterations = 0;
   double peak_speed = 0;

@@ -45,6 +45,24 @@ class Outline {
   /// Infinite where there are no walls.
   WallDistance distance(double x, double y) const;
 
+  /// Calls visit(WallDistance) for each of the convex solids, whose union the walls are, that is nearer than
+  /// `reach`: unlike the least of the distances, each has a continuous gradient in the fluid.
+  template <class Visit>
+  void visit_near(double x, double y, double reach, Visit visit) const {
+    const auto visit_if_near = [&](const WallDistance& distance) {
+      if (distance.value < reach) visit(distance);
+    };
+    for (const HalfPlane& plane : vessel_.planes) visit_if_near(plane.distance(x, y));
+    for (const Wedge& wedge : vessel_.wedges) visit_if_near(wedge.distance(x, y));
+    for (const Bump& bump : vessel_.bumps) {
+      WallDistance distance{reach, 0, 0};
+      take_if_nearer(bump, vessel_.period_x, x, y, distance);
+      visit_if_near(distance);
+    }
+  }
+  /// Corners around which the fluid turns.
+  const std::vector<Wedge>& wedges() const { return vessel_.wedges; }
+
   /// Whether a point is in the fluid and between the open ends.
   bool contains(double x, double y) const;
 
