@@ -1,5 +1,6 @@
 #include "engine/cells/ring.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rouleau::cells {
@@ -21,6 +22,21 @@ double perimeter(Ring ring) {
     sum += std::hypot(ring.x[j] - ring.x[i], ring.y[j] - ring.y[i]);
   }
   return sum;
+}
+
+double thickness(Ring ring) {
+  return 2 * area(ring) / perimeter(ring);
+}
+
+Strain strain(Ring ring, double rest_length) {
+  double sum = 0, longest = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::size_t j = ring.next(i);
+    const double length = std::hypot(ring.x[j] - ring.x[i], ring.y[j] - ring.y[i]);
+    sum += length;
+    longest = std::max(longest, length);
+  }
+  return {sum / (rest_length * static_cast<double>(ring.size())) - 1, longest / rest_length - 1};
 }
 
 }  // namespace rouleau::cells

@@ -20,4 +20,14 @@ double area(Ring ring);
 
 double perimeter(Ring ring);
 
+/// Mean thickness: twice the area over the perimeter, which is that of a long band.
+double thickness(Ring ring);
+
+/// Of a ring's links: length over unstretched length, less 1.
+struct Strain {
+  double mean, greatest;
+};
+
+Strain strain(Ring ring, double rest_length);
+
 }  // namespace rouleau::cells

@@ -7,6 +7,7 @@
 
 #include "engine/observe/cell_measures.h"
 #include "engine/observe/fluid_segments.h"
+#include "engine/observe/membrane_measures.h"
 #include "engine/observe/poiseuille.h"
 
 namespace rouleau::observe {
@@ -31,6 +32,16 @@ const std::array cell_columns{Column{"x", "m"},     Column{"y", "m"},         Co
                               Column{"v", "m/s"},   Column{"tau", "1"},       Column{"tau_area", "1"},
                               Column{"area", "m2"}, Column{"perimeter", "m"}, Column{"angle", "deg"}};
 
+/// They stand behind those of the flow, which keep the places that scripts know.
+const std::array membrane_columns{Column{"strain_mean", "1"},
+                                  Column{"strain_greatest", "1"},
+                                  Column{"tank_treading_phase", "deg"},
+                                  Column{"tank_treading_frequency", "1/s"},
+                                  Column{"shape", "1"},
+                                  Column{"thickness", "m"},
+                                  Column{"wall_gap", "m"},
+                                  Column{"cell_gap", "m"}};
+
 }  // namespace
 
 std::vector<Column> series_columns(const Case& scene) {
@@ -51,6 +62,13 @@ std::vector<Column> series_columns(const Case& scene) {
     columns.push_back(column);
   }
   if (becomes_parabola(scene)) columns.push_back({"poiseuille_deviation", "1"});
+  for (std::size_t k = 0; k < scene.cells.size(); ++k) {
+    const std::string cell = "cell" + std::to_string(k) + ".";
+    for (const Column& column : membrane_columns) {
+      if (column.name == "cell_gap" && scene.cells.size() < 2) continue;
+      columns.push_back({cell + column.name, column.unit});
+    }
+  }
   return columns;
 }
 
@@ -72,6 +90,17 @@ std::vector<double> series_row(const effects::State& state, const FlowPlanes& pl
              {pressure_drop(state, inlet) * s.pressure(), static_cast<double>(state.particles.active_end()),
               state.dt * s.time(), worst_divergence(state) * state.spacing});
   if (becomes_parabola(state.scene)) row.push_back(poiseuille_deviation(state));
+  for (std::size_t k = 0; k < state.cells.size(); ++k) {
+    if (state.cells[k].departure) {
+      const std::size_t columns = membrane_columns.size() - (state.cells.size() > 1 ? 0 : 1);
+      row.insert(row.end(), columns, std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    const MembraneMeasures m = measure_membrane(state, k);
+    row.insert(row.end(), {m.mean_strain, m.greatest_strain, m.tank_treading_phase, m.tank_treading_frequency,
+                           static_cast<double>(m.shape), m.thickness, m.wall_gap});
+    if (state.cells.size() > 1) row.push_back(m.cell_gap);
+  }
   return row;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/case/case_error.h"
 #include "engine/cells/rest_shape.h"
 #include "engine/cells/shape.h"
+#include "engine/cells/tank_treading.h"
 #include "engine/simulation/initial_velocity.h"
 
 namespace rouleau {
@@ -102,6 +103,9 @@ void place_cells(State& state) {
     placed.start_area = shape.area;
     placed.start_inertia_nodes = shape.inertia_nodes;
     placed.start_inertia_area = shape.inertia_area;
+    placed.start_perimeter = shape.perimeter;
+    const std::vector<double> at_rest(placed.nodes, 0.0);
+    placed.start_phase = cells::tank_treading(state.ring(placed), at_rest, at_rest).phase;
     state.cells.push_back(placed);
   }
   const InitialVelocity initial(state);

@@ -27,6 +27,16 @@ Names of_cell(const std::string& cell) {
           cell + ".tau_area", cell + ".area", cell + ".perimeter", cell + ".angle"};
 }
 
+Names of_membrane(const std::string& cell) {
+  return {cell + ".strain_mean",
+          cell + ".strain_greatest",
+          cell + ".tank_treading_phase",
+          cell + ".tank_treading_frequency",
+          cell + ".shape",
+          cell + ".thickness",
+          cell + ".wall_gap"};
+}
+
 Names joined(std::initializer_list<Names> parts) {
   Names all;
   for (const Names& part : parts) all.insert(all.end(), part.begin(), part.end());
@@ -35,8 +45,15 @@ Names joined(std::initializer_list<Names> parts) {
 
 TEST(Series, ColumnsAreTheOnesPromised) {
   EXPECT_EQ(column_names(0), joined({{"time"}, flow, {"poiseuille_deviation"}}));
-  EXPECT_EQ(column_names(1), joined({{"time"}, of_cell("cell0"), flow}));
-  EXPECT_EQ(column_names(2), joined({{"time"}, of_cell("cell0"), of_cell("cell1"), flow}));
+  EXPECT_EQ(column_names(1), joined({{"time"}, of_cell("cell0"), flow, of_membrane("cell0")}));
+  EXPECT_EQ(column_names(2), joined({{"time"},
+                                     of_cell("cell0"),
+                                     of_cell("cell1"),
+                                     flow,
+                                     of_membrane("cell0"),
+                                     {"cell0.cell_gap"},
+                                     of_membrane("cell1"),
+                                     {"cell1.cell_gap"}}));
 }
 
 TEST(Series, ABifurcationHasTwoOutflows) {
@@ -72,7 +89,7 @@ TEST(Series, DeviationFromTheParabolaIsThereWhereTheFlowBecomesOne) {
 }
 
 TEST(Series, EveryColumnHasAUnit) {
-  const std::set<std::string> units = {"1", "s", "m", "m/s", "m2", "m2/s", "Pa", "deg"};
+  const std::set<std::string> units = {"1", "s", "m", "m/s", "m2", "m2/s", "Pa", "deg", "1/s"};
   for (const Column& column : series_columns(coarse_vessel_with_cells(1))) {
     EXPECT_TRUE(units.contains(column.unit)) << column.name << " in " << column.unit;
   }
@@ -115,6 +132,10 @@ TEST(Series, TheFirstRowIsTheSceneAsGiven) {
   EXPECT_NEAR(std::abs(value("cell0.angle")), 90, 1e-6);
   EXPECT_NEAR(value("cell0.tau"), 1, 1e-12);
   EXPECT_NEAR(value("cell0.tau_area"), 1, 1e-12);
+  EXPECT_NEAR(value("cell0.thickness"), 2 * value("cell0.area") / value("cell0.perimeter"), 1e-15);
+  EXPECT_NEAR(value("cell0.tank_treading_phase"), 0, 1e-9);
+  EXPECT_GT(value("cell0.wall_gap"), 0);
+  EXPECT_LT(value("cell0.wall_gap"), cell.y - cell.diameter / 2);
   EXPECT_NEAR(value("inflow"), scene.inflow.velocity * scene.vessel.diameter, 0.01 * 5e-8);
 }
 

@@ -48,6 +48,7 @@ double unit_of(const std::string& unit, const Scales& s) {
   if (unit == "m2") return s.length * s.length;
   if (unit == "m2/s") return s.flux();
   if (unit == "Pa") return s.pressure();
+  if (unit == "1/s") return 1 / s.time();
   return 1;
 }
 
