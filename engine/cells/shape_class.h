@@ -10,6 +10,7 @@ namespace rouleau::cells {
 
 /// What a cell looks like. The values are the codes in the time series.
 enum class ShapeClass { other = 0, biconcave = 1, parachute = 2, slipper = 3, folded = 4 };
+inline constexpr int shape_classes = 5;
 
 std::string_view name_of(ShapeClass shape);
 

@@ -17,6 +17,7 @@
 #include "engine/effects/membrane_clearance.h"
 #include "engine/effects/membrane_coupling.h"
 #include "engine/effects/membrane_sides.h"
+#include "engine/effects/membrane_watch.h"
 #include "engine/effects/neighbours.h"
 #include "engine/effects/number_density.h"
 #include "engine/effects/outflow.h"
@@ -75,6 +76,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &gradient_from_least_pressure,
       &velocity_correction,
       &watch,
+      &membrane_watch,
   };
   // clang-format on
   return kinds;

@@ -1,6 +1,7 @@
 #include "engine/effects/membrane_sides.h"
 
 #include "engine/cells/shape.h"
+#include "engine/effects/breach.h"
 
 namespace rouleau::effects {
 
@@ -18,6 +19,9 @@ class MembraneSides : public Effect {
         const cells::Ring ring = state.ring(state.cells[c]);
         if (cells::contains(ring, particles.x[i], particles.y[i]) == belongs) continue;
         put_back(state, i, ring, belongs ? -1 : 1);
+        if (cells::contains(ring, particles.x[i], particles.y[i]) != belongs) {
+          throw breach_at(state, i, {"particles on the wrong side of a membrane", 1, 0});
+        }
         ++state.counters.wrong_side;
       }
     }

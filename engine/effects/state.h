@@ -63,6 +63,14 @@ struct Lane {
   double head = 0;      ///< x of the particle nearest to the inlet plane
 };
 
+/// What a cell went through, for the summary.
+struct CellExtremes {
+  double area_drift = 0;                           ///< |A / A0 - 1|
+  double least_perimeter = 1, most_perimeter = 1;  ///< over that at the start
+  double least_thickness = 1e300;                  ///< twice the area over the perimeter, in spacings
+  double thinnest_time = 0;
+};
+
 /// What happened so far, for the summary.
 struct Counters {
   long wrong_side = 0;
@@ -70,6 +78,8 @@ struct Counters {
   long emitted = 0, absorbed = 0;
   long viscosity_iterations = 0, pressure_iterations = 0;
   double peak_speed = 0;
+  double worst_divergence = 0;  ///< times the spacing, over the fastest flow
+  std::vector<CellExtremes> cells;
 };
 
 /// Everything that effects share: the particles, the operators on them, and what one effect of a step

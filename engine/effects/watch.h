@@ -4,7 +4,11 @@
 
 namespace rouleau::effects {
 
-/// Ends the run at the first value that is not finite or speed out of bounds, and says what, when, where.
+/// Has a step taken again after which a value is not finite or a speed or divergence is out of bounds, and
+/// says what, when, where.
 extern const EffectKind watch;
+
+/// The speed that nothing in the scene's flow reaches.
+double speed_bound(const State& state);
 
 }  // namespace rouleau::effects

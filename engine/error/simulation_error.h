@@ -7,15 +7,15 @@ namespace rouleau {
 
 /// A run that went unstable, and what it was doing: the quantity that left its bounds, where and when.
 struct Breach {
-  std::string quantity;  ///< "speed", "pressure", "position", ...
+  std::string quantity;  ///< "speed", "divergence", "change of a cell's area", ...
   double value = 0;      ///< SI
   double bound = 0;      ///< SI
   std::string unit;
   double time = 0;  ///< s, simulated
   long step = 0;
   double x = 0, y = 0;  ///< m
-  long particle = -1;   ///< id, -1 if the whole run is meant
-  int cell = -1;        ///< -1 for plasma
+  long particle = -1;   ///< id, -1 if a whole cell or the whole run is meant
+  int cell = -1;        ///< -1 for plasma and the whole run
 };
 
 class SimulationError : public std::runtime_error {

@@ -26,6 +26,7 @@ class Tally {
   }
 
  private:
+  void add_membrane(const effects::State& state, std::size_t k);
   void add_flow(const effects::State& state);
 
   std::vector<CellSummary> cells_;

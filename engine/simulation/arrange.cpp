@@ -108,6 +108,7 @@ void place_cells(State& state) {
     placed.start_phase = cells::tank_treading(state.ring(placed), at_rest, at_rest).phase;
     state.cells.push_back(placed);
   }
+  state.counters.cells.resize(state.cells.size());
   const InitialVelocity initial(state);
   auto& particles = state.particles;
   for (int i = 0; i < particles.size(); ++i) {

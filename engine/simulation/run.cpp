@@ -11,6 +11,7 @@
 #include "engine/simulation/checkpoint.h"
 #include "engine/simulation/lasting.h"
 #include "engine/simulation/simulation.h"
+#include "engine/simulation/watch_report.h"
 
 namespace rouleau {
 
@@ -110,6 +111,7 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   if (wall > 0) summary.steps_per_second = static_cast<double>(state.step) / wall;
   const StepCounts& counts = simulation.step_counts();
   summary.rejected_steps = counts.rejected;
+  for (const auto& [cause, times] : counts.causes) summary.rejections.push_back({cause, times});
   summary.least_time_step = counts.least * state.scales.time();
   for (int k = 0; k < limits; ++k) {
     if (counts.bound[k] > 0) {
@@ -118,6 +120,8 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   }
   tally.report(summary);
   summary.peak_fluid_speed = state.counters.peak_speed * state.scales.velocity;
+  report_watch(state, summary);
+  summary.contact_steps = state.counters.contact_steps;
   summary.wrong_side = state.counters.wrong_side;
   summary.viscosity_iterations = static_cast<double>(state.counters.viscosity_iterations) / steps;
   summary.pressure_iterations = static_cast<double>(state.counters.pressure_iterations) / steps;

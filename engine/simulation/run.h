@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "engine/cells/shape_class.h"
 #include "engine/observe/output.h"
 
 namespace rouleau {
@@ -33,13 +35,28 @@ struct CellSummary {
   double peak_tau = 0;
   double least_tau = 0;
   double area_deviation = 0;  ///< the largest |A/A0 - 1|
+  double greatest_strain = 0;
+  double least_thickness = 0;  ///< m, twice the area over the perimeter
+  double least_wall_gap = 0;   ///< m, infinite where there are no walls
+  double least_cell_gap = 0;   ///< m, infinite where there is no other cell
+  /// Of the simulated time, by the codes of cells::ShapeClass.
+  std::array<double, cells::shape_classes> time_as{};
   std::optional<CellDeparture> departure{};
 };
 
-/// How many steps a limit held where they were: planned, flow, viscous, elastic, error, rejected or end.
+/// How many steps a limit held where they were (planned, flow, viscous, elastic, error, rejected or end), or
+/// had taken again.
 struct LimitCount {
   std::string name;
   long steps = 0;
+};
+
+/// A quantity that is watched, and the worst of it in all steps that were taken.
+struct WatchedQuantity {
+  std::string name;
+  double worst = 0;
+  double bound = 0;
+  std::string unit;
 };
 
 struct EffectTime {
@@ -54,6 +71,7 @@ struct RunSummary {
   double simulated_time = 0;  ///< s
   long steps = 0;
   long rejected_steps = 0;              ///< taken again smaller, because they broke a limit
+  std::vector<LimitCount> rejections;   ///< which: error, or a watched quantity
   std::vector<LimitCount> step_limits;  ///< those that bound
   double least_time_step = 0;           ///< s
   double wall_time = 0;                 ///< s
@@ -65,8 +83,11 @@ struct RunSummary {
   double peak_fluid_speed = 0;       ///< m/s
   double poiseuille_deviation = -1;  ///< eq. 22, mean over the last half; -1 where no parabola is expected
   double poiseuille_deviation_worst = -1;  ///< the worst of it there
-  long wrong_side = 0;                     ///< particles that a membrane let through and that were put back
-  double viscosity_iterations = 0;         ///< mean a step
+  std::vector<WatchedQuantity> watched;
+  std::vector<std::string> warnings;  ///< sentences for a person
+  long contact_steps = 0;             ///< in which a membrane was in contact
+  long wrong_side = 0;                ///< particles that a membrane let through and that were put back
+  double viscosity_iterations = 0;    ///< mean a step
   double pressure_iterations = 0;
   std::vector<EffectTime> effect_times;
 };

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "engine/simulation/run.h"
@@ -23,6 +25,20 @@ nlohmann::json to_json(const std::optional<CellDeparture>& departure) {
   return {{"time", departure->time}, {"outlet", departure->outlet}, {"x", departure->x}, {"y", departure->y}};
 }
 
+/// JSON knows no infinity.
+nlohmann::json finite(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::json shapes_json(const CellSummary& cell) {
+  nlohmann::json shapes = nlohmann::json::object();
+  for (int code = 0; code < cells::shape_classes; ++code) {
+    if (cell.time_as[code] > 0)
+      shapes[cells::name_of(static_cast<cells::ShapeClass>(code))] = cell.time_as[code];
+  }
+  return shapes;
+}
+
 }  // namespace
 
 nlohmann::json to_json(const RunSummary& summary) {
@@ -33,7 +49,19 @@ nlohmann::json to_json(const RunSummary& summary) {
                      {"peak_tau", cell.peak_tau},
                      {"least_tau", cell.least_tau},
                      {"area_deviation", cell.area_deviation},
+                     {"greatest_strain", cell.greatest_strain},
+                     {"least_thickness", cell.least_thickness},
+                     {"least_wall_gap", finite(cell.least_wall_gap)},
+                     {"least_cell_gap", finite(cell.least_cell_gap)},
+                     {"time_as", shapes_json(cell)},
                      {"departure", to_json(cell.departure)}});
+  }
+  nlohmann::json rejections = nlohmann::json::object();
+  for (const LimitCount& cause : summary.rejections) rejections[cause.name] = cause.steps;
+  nlohmann::json watched = nlohmann::json::object();
+  for (const WatchedQuantity& quantity : summary.watched) {
+    watched[quantity.name] = {
+        {"worst", finite(quantity.worst)}, {"bound", quantity.bound}, {"unit", quantity.unit}};
   }
   nlohmann::json bound = nlohmann::json::object();
   for (const LimitCount& limit : summary.step_limits) bound[limit.name] = limit.steps;
@@ -46,6 +74,7 @@ nlohmann::json to_json(const RunSummary& summary) {
                          {"simulated_time", summary.simulated_time},
                          {"steps", summary.steps},
                          {"rejected_steps", summary.rejected_steps},
+                         {"rejections", rejections},
                          {"step_limits", bound},
                          {"least_time_step", summary.least_time_step},
                          {"wall_time", summary.wall_time},
@@ -55,6 +84,9 @@ nlohmann::json to_json(const RunSummary& summary) {
                          {"volume_out", summary.volume_out},
                          {"volume_mismatch", summary.volume_mismatch},
                          {"peak_fluid_speed", summary.peak_fluid_speed},
+                         {"watched", watched},
+                         {"warnings", summary.warnings},
+                         {"contact_steps", summary.contact_steps},
                          {"wrong_side", summary.wrong_side},
                          {"viscosity_iterations", summary.viscosity_iterations},
                          {"pressure_iterations", summary.pressure_iterations},

@@ -94,9 +94,9 @@ void Simulation::step() {
         step_control_.accept(state_.dt, change);
         break;
       }
-      step_control_.reject(state_.dt);
-    } catch (const SimulationError&) {
-      if (!step_control_.reject(state_.dt)) throw;
+      step_control_.reject(state_.dt, "error");
+    } catch (const SimulationError& error) {
+      if (!step_control_.reject(state_.dt, error.breach().quantity)) throw;
     }
     before_.restore(state_);
     run_stage(effects::Stage::operators);

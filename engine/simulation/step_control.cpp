@@ -80,9 +80,10 @@ void StepControl::accept(double dt, double change) {
   rejections_in_a_row_ = 0;
 }
 
-bool StepControl::reject(double dt) {
+bool StepControl::reject(double dt, const std::string& cause) {
   if (fixed_) return false;
   ++counts_.rejected;
+  ++counts_.causes[cause];
   allowed_after_rejection_ = dt / 2;
   return ++rejections_in_a_row_ <= most_rejections;
 }

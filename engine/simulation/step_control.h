@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <string>
 #include <string_view>
 
 #include "engine/effects/state.h"
@@ -25,6 +27,7 @@ std::string_view name_of(Limit limit);
 struct StepCounts {
   std::array<long, limits> bound{};  ///< steps held back by each limit
   long rejected = 0;
+  std::map<std::string, long> causes;  ///< of the rejections: "error", or the quantity that broke its bound
   double least = 0, most = 0;  ///< steps taken, own units; the last one, cut to the duration, not counted
 };
 
@@ -46,7 +49,8 @@ class StepControl {
 
   void accept(double dt, double change);
   /// After a breach: whether the step may be tried again, smaller.
-  bool reject(double dt);
+  /// @param cause  "error", or the quantity that broke its bound
+  bool reject(double dt, const std::string& cause);
 
   const StepCounts& counts() const { return counts_; }
 

@@ -18,6 +18,23 @@ double number(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
 }
 
+std::string describe_shape(const nlohmann::json& cell) {
+  std::string list;
+  if (const auto shapes = cell.find("time_as"); shapes != cell.end()) {
+    for (const auto& [name, share] : shapes->items()) {
+      list += fmt::format("{}{} {:.0f} %", list.empty() ? "" : ", ", name, 100 * share.get<double>());
+    }
+  }
+  if (list.empty()) return list;
+  list = fmt::format("  {} of the time; {:.3g} um thick and {:.3g} um off walls at the least", list,
+                     1e6 * number(cell, "least_thickness"), 1e6 * number(cell, "least_wall_gap"));
+  const auto gap = cell.find("least_cell_gap");
+  if (gap != cell.end() && gap->is_number()) {
+    list += fmt::format(", {:.3g} um off other cells", 1e6 * gap->get<double>());
+  }
+  return list + "\n";
+}
+
 std::string describe_cells(const nlohmann::json& cells) {
   std::string text;
   for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -27,6 +44,7 @@ std::string describe_cells(const nlohmann::json& cells) {
         "%\n",
         k, 1e3 * number(cell, "peak_velocity"), 1e6 * number(cell, "peak_velocity_x"),
         number(cell, "least_tau"), number(cell, "peak_tau"), 100 * number(cell, "area_deviation"));
+    text += describe_shape(cell);
     if (const auto left = cell.find("departure"); left != cell.end() && left->is_object()) {
       text +=
           fmt::format("cell {} left through outlet {} at {:.4g} ms, last at x = {:.2f} um, y = {:.2f} um\n",
@@ -49,6 +67,31 @@ std::string describe_step_limits(const nlohmann::json& summary) {
   if (held.empty()) return "";
   return fmt::format("steps held back: {}; {:.0f} taken again; the smallest {:.3g} us\n", held,
                      number(summary, "rejected_steps"), 1e6 * number(summary, "least_time_step"));
+}
+
+/// The worst of each watched quantity beside its bound, what was taken again for it, and warnings.
+std::string describe_watched(const nlohmann::json& summary) {
+  std::string text, list;
+  if (const auto watched = summary.find("watched"); watched != summary.end()) {
+    for (const auto& [name, quantity] : watched->items()) {
+      const std::string unit = quantity.value("unit", "1");
+      list +=
+          fmt::format("{}{} {:.3g} of {:.3g}{}", list.empty() ? "" : ", ", name, number(quantity, "worst"),
+                      number(quantity, "bound"), unit == "1" ? "" : " " + unit);
+    }
+  }
+  if (!list.empty()) text += fmt::format("watched, worst of bound: {}\n", list);
+  list.clear();
+  if (const auto causes = summary.find("rejections"); causes != summary.end()) {
+    for (const auto& [cause, steps] : causes->items()) {
+      list += fmt::format("{}{} by {}", list.empty() ? "" : ", ", steps.get<long>(), cause);
+    }
+  }
+  if (!list.empty()) text += fmt::format("steps taken again: {}\n", list);
+  if (const auto warnings = summary.find("warnings"); warnings != summary.end()) {
+    for (const auto& warning : *warnings) text += fmt::format("warning: {}\n", warning.get<std::string>());
+  }
+  return text;
 }
 
 std::string describe_effect_times(const nlohmann::json& times) {
@@ -90,6 +133,7 @@ std::string describe_summary(const nlohmann::json& summary) {
     text += fmt::format("{:.0f} particles slipped through a membrane and were put back\n", through);
   }
   text += describe_step_limits(summary);
+  text += describe_watched(summary);
   text += fmt::format("peak fluid speed {:.4g} mm/s\n", 1e3 * number(summary, "peak_fluid_speed"));
   if (const auto times = summary.find("effect_times"); times != summary.end())
     text += describe_effect_times(*times);

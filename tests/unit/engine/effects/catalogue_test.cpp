@@ -44,9 +44,9 @@ TEST(Catalogue, MembranesEffectsAreCalledForByCellsAlone) {
     const bool with = kind->need(coarse_vessel_with_cells()).called_for;
     if (with && !without) of_membranes.insert(std::string(kind->name));
   }
-  EXPECT_EQ(of_membranes,
-            (std::set<std::string>{"stretch", "bending", "contact", "membrane_coupling", "area_control",
-                                   "membrane_clearance", "membrane_sides", "departure", "fading"}));
+  EXPECT_EQ(of_membranes, (std::set<std::string>{"stretch", "bending", "contact", "membrane_coupling",
+                                                 "area_control", "membrane_clearance", "membrane_sides",
+                                                 "membrane_watch", "departure", "fading"}));
 }
 
 TEST(Catalogue, EveryEffectIsForSomeScene) {

@@ -24,6 +24,15 @@ TEST(SimulationError, SaysWhatWhenAndWhere) {
   EXPECT_EQ(error.breach().particle, 4711);
 }
 
+TEST(SimulationError, OfAWholeCellNamesTheCellAndItsPlace) {
+  const SimulationError error(
+      {.quantity = "area", .value = 1, .unit = "1", .x = 12e-6, .y = 3e-6, .cell = 2});
+  const std::string text = error.what();
+  for (const char* part : {"12 um", "3 um", ", cell 2"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  EXPECT_EQ(text.find("particle"), std::string::npos);
+}
+
 TEST(SimulationError, OfTheWholeRunNamesNoParticle) {
   const SimulationError error({.quantity = "residual", .value = 1, .bound = 0.1, .unit = "1"});
   EXPECT_EQ(std::string(error.what()).find("particle"), std::string::npos);
