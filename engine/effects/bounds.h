@@ -9,8 +9,8 @@ namespace rouleau::effects {
 inline constexpr double divergence_bound = 0.5;
 /// Of |A / A0 - 1| of a cell.
 inline constexpr double area_bound = 0.005;
-/// Of a cell's perimeter over that at the start. The published constants make it grow by two thirds.
-inline constexpr double least_perimeter = 0.5, most_perimeter = 3;
+/// Of a cell's perimeter over that at the start; with the published constants it doubles.
+inline constexpr double least_perimeter = 0.5, most_perimeter = 5;
 /// Spacings that a cell is thick, twice its area over its perimeter. Under it a run goes on, with a warning:
 /// fluid leaks from 1.6 on, and at 1.5 cells tear.
 inline constexpr double thin = 2;
