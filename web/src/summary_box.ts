@@ -47,7 +47,8 @@ const kinds: Record<JobError["kind"], string> = {
 /** What was exceeded, when and where, as far as the service knows. */
 function breachFacts(error: JobError): [string, string][] {
   const found: [string, string][] = [];
-  const number = (value: number) => `${Number(value.toPrecision(4))} ${error.unit ?? ""}`.trim();
+  const unit = error.unit === "1" ? "" : (error.unit ?? "");
+  const number = (value: number) => `${Number(value.toPrecision(4))} ${unit}`.trim();
   if (error.quantity && error.value !== undefined)
     found.push([`Found: ${error.quantity}`, number(error.value)]);
   if (error.bound !== undefined) found.push(["Allowed", number(error.bound)]);
@@ -61,6 +62,8 @@ function breachFacts(error: JobError): [string, string][] {
   if (error.particle !== undefined && error.particle >= 0) {
     const owner = error.cell === undefined || error.cell < 0 ? "of the plasma" : `of cell ${error.cell}`;
     found.push(["Particle", `${error.particle} ${owner}`]);
+  } else if (error.cell !== undefined && error.cell >= 0) {
+    found.push(["Cell", `${error.cell}`]);
   }
   return found;
 }
