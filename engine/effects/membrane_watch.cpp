@@ -18,7 +18,8 @@ class MembraneWatch : public Effect {
     boxes_.clear();
     for (const CellState& cell : state.cells) boxes_.emplace_back(state.ring(cell));
     for (int c = 0; c < static_cast<int>(state.cells.size()); ++c) {
-      if (state.cells[c].nodes == 0) continue;
+      // Before an outlet a membrane fades: it holds nothing any more.
+      if (state.cells[c].departure || state.cells[c].presence < 1) continue;
       check_size(state, c);
       check_crossing(state, c);
     }
@@ -54,6 +55,7 @@ class MembraneWatch : public Effect {
   void check_crossing(const State& state, int c) const {
     auto crossing = cells::find_crossing(boxes_[c]);
     for (std::size_t other = c + 1; other < boxes_.size() && !crossing; ++other) {
+      if (state.cells[other].presence < 1) continue;
       crossing = cells::find_crossing(boxes_[c], boxes_[other]);
     }
     if (crossing) {
@@ -67,8 +69,11 @@ class MembraneWatch : public Effect {
 }  // namespace
 
 const EffectKind membrane_watch{
-    "membrane_watch", Stage::checks, false,
+    "membrane_watch",
+    Stage::checks,
+    false,
     [](const Case& scene) { return of_accurate_scheme(scene, needs_cells(scene, "a cell must stay whole")); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneWatch>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneWatch>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

@@ -68,7 +68,8 @@ void check_lasting(const effects::State& state, std::size_t lanes) {
   require(state.dt >= 0 && state.last_dt >= 0 && std::isfinite(state.dt) && std::isfinite(state.last_dt) &&
               state.speed >= 0,
           "its time step is none of a run");
-  require(state.cells.size() == state.scene.cells.size(), "it has not the case's cells");
+  require(state.cells.size() == state.scene.cells.size() && state.counters.cells.size() == state.cells.size(),
+          "it has not the case's cells");
   require(state.lanes.size() == lanes, "it has not the case's inlet");
   check_particles(state);
   check_membranes(state);

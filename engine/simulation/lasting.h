@@ -11,9 +11,15 @@
 namespace rouleau {
 
 template <class Stream>
+void visit(Stream& stream, Rejection& rejection) {
+  auto& [cause, steps] = rejection;
+  stream(cause, steps);
+}
+
+template <class Stream>
 void visit(Stream& stream, StepCounts& counts) {
-  auto& [bound, rejected, least, most] = counts;
-  stream(bound, rejected, least, most);
+  auto& [bound, rejected, rejections, least, most] = counts;
+  stream(bound, rejected, rejections, least, most);
 }
 
 template <class Stream>
@@ -24,8 +30,10 @@ void visit(Stream& stream, CellDeparture& departure) {
 
 template <class Stream>
 void visit(Stream& stream, CellSummary& cell) {
-  auto& [peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, departure] = cell;
-  stream(peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, departure);
+  auto& [peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, greatest_strain,
+         least_thickness, least_wall_gap, least_cell_gap, time_as, departure] = cell;
+  stream(peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, greatest_strain,
+         least_thickness, least_wall_gap, least_cell_gap, time_as, departure);
 }
 
 namespace cells {
@@ -48,10 +56,10 @@ void visit(Stream& stream, Departure& departure) {
 
 template <class Stream>
 void visit(Stream& stream, CellState& cell) {
-  auto& [first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, presence,
-         departure] = cell;
-  stream(first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, presence,
-         departure);
+  auto& [first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, start_perimeter,
+         start_phase, presence, departure] = cell;
+  stream(first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, start_perimeter,
+         start_phase, presence, departure);
 }
 
 template <class Stream>
@@ -61,9 +69,17 @@ void visit(Stream& stream, Lane& lane) {
 }
 
 template <class Stream>
+void visit(Stream& stream, CellExtremes& extremes) {
+  auto& [area_drift, least_perimeter, most_perimeter, least_thickness, thinnest_time] = extremes;
+  stream(area_drift, least_perimeter, most_perimeter, least_thickness, thinnest_time);
+}
+
+template <class Stream>
 void visit(Stream& stream, Counters& counters) {
-  auto& [wrong_side, emitted, absorbed, viscosity_iterations, pressure_iterations, peak_speed] = counters;
-  stream(wrong_side, emitted, absorbed, viscosity_iterations, pressure_iterations, peak_speed);
+  auto& [wrong_side, contact_steps, emitted, absorbed, viscosity_iterations, pressure_iterations, peak_speed,
+         worst_divergence, cells] = counters;
+  stream(wrong_side, contact_steps, emitted, absorbed, viscosity_iterations, pressure_iterations, peak_speed,
+         worst_divergence, cells);
 }
 
 /// The rest of a state follows from the scene, or is found anew in every step.

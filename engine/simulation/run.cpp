@@ -10,6 +10,7 @@
 #include "engine/observe/wall_shear.h"
 #include "engine/simulation/checkpoint.h"
 #include "engine/simulation/lasting.h"
+#include "engine/simulation/run_failure.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/watch_report.h"
 
@@ -93,6 +94,8 @@ std::string reason_for(Ending ending) {
       return "the whole duration was simulated";
     case Ending::cell_reached_inlet:
       return "a cell was carried back to the inlet; everything until then is whole";
+    case Ending::failed:
+      return "the run went unstable; everything until then is whole";
     case Ending::stopped:
       break;
   }
@@ -111,7 +114,9 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   if (wall > 0) summary.steps_per_second = static_cast<double>(state.step) / wall;
   const StepCounts& counts = simulation.step_counts();
   summary.rejected_steps = counts.rejected;
-  for (const auto& [cause, times] : counts.causes) summary.rejections.push_back({cause, times});
+  for (const Rejection& rejection : counts.rejections) {
+    summary.rejections.push_back({rejection.cause, rejection.steps});
+  }
   summary.least_time_step = counts.least * state.scales.time();
   for (int k = 0; k < limits; ++k) {
     if (counts.bound[k] > 0) {
@@ -162,14 +167,11 @@ class Run {
         break;
       }
       if (checkpoint_interval_ > 0 && seconds_since(saved_) >= checkpoint_interval_) save();
-      simulation_.step();
+      step();
       tally();
       tell();
     }
-    output_.progress(progress_of(simulation_, start_));
-    RunSummary summary = summarise(simulation_, observers_.tally, ending, seconds_since(start_));
-    summary.effect_times.push_back({"observers", observing_});
-    return summary;
+    return end(ending);
   }
 
  private:
@@ -188,6 +190,21 @@ class Run {
       ++delivered_.frames;
     }
     observing_ += seconds_since(looked);
+  }
+
+  void step() {
+    try {
+      simulation_.step();
+    } catch (const SimulationError& error) {
+      throw RunFailure(error, end(Ending::failed));
+    }
+  }
+
+  RunSummary end(Ending ending) {
+    output_.progress(progress_of(simulation_, start_));
+    RunSummary summary = summarise(simulation_, observers_.tally, ending, seconds_since(start_));
+    summary.effect_times.push_back({"observers", observing_});
+    return summary;
   }
 
   void tally() {

@@ -20,6 +20,7 @@ enum class Ending {
   completed,           ///< the whole duration
   cell_reached_inlet,  ///< whole until a cell was carried back to the inlet plane
   stopped,             ///< the stop token asked for it
+  failed,              ///< whole until a step left its bounds and nothing mended it
 };
 
 /// Where and when a cell left the vessel.
@@ -103,8 +104,8 @@ struct Continuation {
 
 /// Runs a case from start to end, delivering to `output`. However often it is interrupted and taken up again,
 /// what it delivers is the same to the last bit, but for the wall time spent.
-/// @throws CaseError if the case cannot be planned or a cell has no rest shape, SimulationError if the run
-/// goes unstable, CheckpointError if it cannot go on from the checkpoint given
+/// @throws CaseError if the case cannot be planned or a cell has no rest shape, RunFailure (a
+/// SimulationError) if the run goes unstable, CheckpointError if it cannot go on from the checkpoint given
 RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop = {},
                     const Continuation& continuation = {});
 

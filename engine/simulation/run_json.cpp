@@ -14,6 +14,8 @@ const char* name_of(Ending ending) {
       return "completed";
     case Ending::cell_reached_inlet:
       return "cell_reached_inlet";
+    case Ending::failed:
+      return "failed";
     case Ending::stopped:
       break;
   }

@@ -96,7 +96,10 @@ void Simulation::step() {
       }
       step_control_.reject(state_.dt, "error");
     } catch (const SimulationError& error) {
-      if (!step_control_.reject(state_.dt, error.breach().quantity)) throw;
+      if (!step_control_.reject(state_.dt, error.breach().quantity)) {
+        before_.restore(state_);
+        throw;
+      }
     }
     before_.restore(state_);
     run_stage(effects::Stage::operators);

@@ -83,7 +83,12 @@ void StepControl::accept(double dt, double change) {
 bool StepControl::reject(double dt, const std::string& cause) {
   if (fixed_) return false;
   ++counts_.rejected;
-  ++counts_.causes[cause];
+  const auto known = std::ranges::find(counts_.rejections, cause, &Rejection::cause);
+  if (known != counts_.rejections.end()) {
+    ++known->steps;
+  } else {
+    counts_.rejections.push_back({cause, 1});
+  }
   allowed_after_rejection_ = dt / 2;
   return ++rejections_in_a_row_ <= most_rejections;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/effects/state.h"
 
@@ -23,11 +23,17 @@ inline constexpr int limits = 7;
 
 std::string_view name_of(Limit limit);
 
+/// How many steps were taken again for the same cause: "error", or the quantity that broke its bound.
+struct Rejection {
+  std::string cause;
+  long steps = 0;
+};
+
 /// What happened to the steps of a run.
 struct StepCounts {
   std::array<long, limits> bound{};  ///< steps held back by each limit
   long rejected = 0;
-  std::map<std::string, long> causes;  ///< of the rejections: "error", or the quantity that broke its bound
+  std::vector<Rejection> rejections;  ///< what for
   double least = 0, most = 0;  ///< steps taken, own units; the last one, cut to the duration, not counted
 };
 

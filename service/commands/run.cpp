@@ -12,12 +12,14 @@
 #include "engine/case/case_json.h"
 #include "engine/error/checkpoint_error.h"
 #include "engine/plan/plan.h"
+#include "engine/simulation/run_failure.h"
 #include "service/commands/case_file.h"
 #include "service/commands/command.h"
 #include "service/commands/progress_line.h"
 #include "service/commands/run_summary_text.h"
 #include "service/http/problem.h"
 #include "service/interrupt.h"
+#include "service/queue/failure.h"
 #include "service/queue/fan_out.h"
 #include "storage/archive_writer.h"
 #include "storage/interrupted_run.h"
@@ -82,22 +84,35 @@ int run(const Options& options, bool json) {
                               : std::filesystem::path(options.archive);
 
   storage::ArchiveWriter writer(archive, options.settings.empty() ? given : dump(document));
-  const RunSummary summary = run_on(resolved, options, archive, writer, stop.get_token());
-  // A run that was interrupted is kept as far as it came.
+  std::optional<RunFailure> failure;
+  const RunSummary summary = [&] {
+    try {
+      return run_on(resolved, options, archive, writer, stop.get_token());
+    } catch (const RunFailure& error) {
+      failure = error;
+      return error.summary();
+    }
+  }();
+  // A run that was interrupted, or failed, is kept as far as it came.
   const storage::ArchiveFile file = writer.finish(summary);
   const bool stopped = summary.ending == Ending::stopped;
   if (!stopped) storage::CheckpointKeeper(archive).remove();
+  if (failure) std::cerr << "error: " << failure->what() << '\n';
   if (json) {
-    std::cout << dump({{"archive", archive.string()},
-                       {"size", file.size},
-                       {"sha256", file.sha256},
-                       {"summary", to_json(summary)}})
-              << '\n';
+    nlohmann::json told = {{"archive", archive.string()},
+                           {"size", file.size},
+                           {"sha256", file.sha256},
+                           {"summary", to_json(summary)}};
+    if (failure) {
+      told["error"] = failure->what();
+      told["breach"] = failure_of(*failure).error;
+    }
+    std::cout << dump(told) << '\n';
   } else {
     std::cout << describe_summary(to_json(summary)) << "archive: " << archive.string() << '\n';
     if (stopped && options.checkpoint_interval > 0) std::cout << "the same command with --resume goes on\n";
   }
-  return stopped ? exit_failed : exit_done;
+  return stopped || failure ? exit_failed : exit_done;
 }
 
 }  // namespace

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "engine/case/case_error.h"
+#include "engine/case/presets.h"
+#include "engine/simulation/run_failure.h"
 #include "tests/unit/engine/simulation/recorder.h"
 #include "tests/unit/engine/simulation/scenes.h"
 
@@ -106,6 +110,51 @@ TEST(Run, ACellCarriedBackToTheInletEndsIt) {
   EXPECT_GT(summary.steps, 3);
   EXPECT_LT(summary.simulated_time, 2e-3);
   EXPECT_LT(recorder.told.back().fraction, 1);
+}
+
+TEST(Run, OneThatGoesUnstableTellsWhatItCameTo) {
+  Case scene = coarse_vessel();
+  scene.numerics = preset_numerics(Preset::paper);
+  scene.numerics.spacing = 1e-6;
+  scene.effects = {{"density_source_relaxation", Switch::off},
+                   {"wall_end_exclusion", Switch::off},
+                   {"gradient_from_least_pressure", Switch::off}};
+  Recorder recorder;
+  try {
+    run_case(scene, recorder);
+    FAIL() << "went on";
+  } catch (const RunFailure& failure) {
+    EXPECT_EQ(failure.breach().quantity, "speed");
+    EXPECT_GE(failure.breach().particle, 0);
+    EXPECT_EQ(failure.summary().ending, Ending::failed);
+    EXPECT_EQ(to_json(failure.summary()).at("ending"), "failed");
+    EXPECT_EQ(failure.summary().steps, failure.breach().step - 1);
+    EXPECT_EQ(recorder.rows.size(), 1 + static_cast<std::size_t>(failure.summary().simulated_time / 4e-5));
+    for (const double value : recorder.rows.back()) EXPECT_TRUE(std::isfinite(value));
+  }
+}
+
+TEST(Run, TheSummaryHasTheWorstOfWhatIsWatched) {
+  Recorder recorder;
+  Case scene = coarse_vessel_with_cells();
+  scene.duration = 1e-4;
+  const RunSummary summary = run_case(scene, recorder);
+  std::map<std::string, WatchedQuantity> watched;
+  for (const WatchedQuantity& quantity : summary.watched) watched[quantity.name] = quantity;
+  for (const char* most : {"speed", "divergence", "change of area", "greatest perimeter"}) {
+    EXPECT_GT(watched.at(most).worst, 0) << most;
+    EXPECT_LT(watched.at(most).worst, watched.at(most).bound) << most;
+  }
+  EXPECT_LT(watched.at("divergence").worst, 0.2);
+  EXPECT_DOUBLE_EQ(watched.at("speed").worst, summary.peak_fluid_speed);
+  EXPECT_NEAR(watched.at("change of area").worst, summary.cells[0].area_deviation, 1e-12);
+  // A cell is thinner than two of these coarse spacings.
+  EXPECT_LT(watched.at("thickness").worst, 2);
+  ASSERT_EQ(summary.warnings.size(), 1u);
+  EXPECT_NE(summary.warnings[0].find("cell 0"), std::string::npos);
+  const auto& shares = summary.cells[0].time_as;
+  EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-12);
+  EXPECT_EQ(to_json(summary).at("watched").at("speed").at("unit"), "m/s");
 }
 
 TEST(Run, ProgressNeverFallsBackAndEndsAtOne) {
