@@ -34,7 +34,7 @@ struct CellState {
   double start_inertia_nodes = 0;  ///< what tau refers to (eq. 23)
   double start_inertia_area = 0;
   double start_perimeter = 0;
-  double start_phase = 0;  ///< of tank-treading, degrees
+  double start_phase = 0;                ///< of tank-treading, degrees
   double presence = 1;                   ///< by how much its membrane is felt; sinks to 0 before an outlet
   std::optional<Departure> departure{};  ///< once it has left
 };
