@@ -17,7 +17,9 @@ class AreaControl : public Effect {
     const double time = std::max(relaxation_time, 2 * state.dt);
     std::vector<double> wanted;
     for (const CellState& cell : state.cells) {
-      wanted.push_back(cell.departure ? 0 : (1 - cells::area(state.ring(cell)) / cell.start_area) / time);
+      // The drift of a cell that fades is not undone by flow out of the vessel.
+      const double drift = cell.departure ? 0 : 1 - cells::area(state.ring(cell)) / cell.start_area;
+      wanted.push_back(cell.presence * drift / time);
     }
     for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
       if (state.particles.cell[i] >= 0) state.source[i] += wanted[state.particles.cell[i]];
