@@ -149,3 +149,39 @@ def test_faults_found_by_the_server(call, write_case):
 def test_no_server(call):
     done = call("status", "--server", "http://127.0.0.1:9")
     assert done.returncode == 1 and "no server answers" in done.stderr
+
+
+def numbers(archive):
+    """All datasets of an archive but what says when and how fast it was made."""
+    found = {}
+    with h5py.File(archive) as file:
+        file.visititems(lambda name, item: found.update({name: item[()].tobytes()})
+                        if isinstance(item, h5py.Dataset) and not name.startswith("parameters") else None)
+    return found
+
+
+def test_resume_after_a_kill_and_a_signal(call, server, write_case, tmp_path):
+    write_case(plasma(numerics={"spacing": 4e-7}, duration=2e-3))
+    assert call("run", "case.json", "-o", "whole.h5").returncode == 0
+    run = ("run", "case.json", "-o", "out.h5", "--resume", "--checkpoint-interval", "0.001")
+    for number in (signal.SIGKILL, signal.SIGTERM):
+        process = subprocess.Popen([server.binary, *run], cwd=tmp_path, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE, env={"PATH": "/usr/bin"})
+        while not (tmp_path / "out.h5.checkpoint").exists():
+            assert process.poll() is None
+            time.sleep(0.002)
+        process.send_signal(number)
+        process.communicate(timeout=60)
+    done = call(*run)
+    assert done.returncode == 0 and "whole duration" in done.stdout
+    assert numbers(tmp_path / "out.h5") == numbers(tmp_path / "whole.h5")
+    assert not list(tmp_path.glob("out.h5.*"))
+
+
+def test_a_damaged_checkpoint_is_refused(call, write_case, tmp_path):
+    write_case(plasma())
+    (tmp_path / "out.h5.checkpoint").write_bytes(b"rouleau checkpoint\n" + bytes(500))
+    done = call("run", "case.json", "-o", "out.h5", "--resume")
+    assert done.returncode == 2 and "checkpoint" in done.stderr
+    assert call("run", "case.json", "-o", "out.h5").returncode == 0
+    assert not (tmp_path / "out.h5.checkpoint").exists()
