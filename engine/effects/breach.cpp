@@ -12,7 +12,8 @@ Breach breach_in(const State& state, double x, double y, Exceeded exceeded) {
           .time = (state.time + state.dt) * state.scales.time(),
           .step = state.step + 1,
           .x = x * state.scales.length,
-          .y = y * state.scales.length};
+          .y = y * state.scales.length,
+          .mendable = exceeded.mendable};
 }
 
 }  // namespace

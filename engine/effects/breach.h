@@ -13,6 +13,7 @@ struct Exceeded {
   double value = 0;
   double bound = 0;
   std::string unit = "1";
+  bool mendable = true;  ///< by a smaller step
 };
 
 /// At a particle.

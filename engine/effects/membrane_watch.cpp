@@ -32,16 +32,21 @@ class MembraneWatch : public Effect {
     const double area = cells::area(ring), perimeter = cells::perimeter(ring);
     const double drift = std::abs(area / cell.start_area - 1);
     const double stretch = perimeter / cell.start_perimeter;
-    const auto exceeded = [&](const char* quantity, double value, double bound) {
+    CellExtremes& extremes = state.counters.cells[c];
+    const double jump = std::abs(area / cell.start_area - extremes.area);
+    const auto exceeded = [&](const char* quantity, double value, double bound, bool mendable = false) {
       const cells::Shape shape = cells::measure(ring);
-      return breach_of_cell(state, c, shape.x, shape.y, {quantity, value, bound});
+      return breach_of_cell(state, c, shape.x, shape.y, {quantity, value, bound, "1", mendable});
     };
+    if (!(jump <= area_step_bound)) {
+      throw exceeded("change of a cell's area in a step", jump, area_step_bound, true);
+    }
     if (!(drift <= area_bound)) throw exceeded("change of a cell's area", drift, area_bound);
     if (!(stretch >= least_perimeter))
       throw exceeded("perimeter over that at the start", stretch, least_perimeter);
     if (!(stretch <= most_perimeter))
       throw exceeded("perimeter over that at the start", stretch, most_perimeter);
-    CellExtremes& extremes = state.counters.cells[c];
+    extremes.area = area / cell.start_area;
     extremes.area_drift = std::max(extremes.area_drift, drift);
     extremes.least_perimeter = std::min(extremes.least_perimeter, stretch);
     extremes.most_perimeter = std::max(extremes.most_perimeter, stretch);

@@ -65,6 +65,7 @@ struct Lane {
 
 /// What a cell went through, for the summary.
 struct CellExtremes {
+  double area = 1;                                 ///< after the last step, over that at the start
   double area_drift = 0;                           ///< |A / A0 - 1|
   double least_perimeter = 1, most_perimeter = 1;  ///< over that at the start
   double least_thickness = 1e300;                  ///< twice the area over the perimeter, in spacings

@@ -13,9 +13,10 @@ struct Breach {
   std::string unit;
   double time = 0;  ///< s, simulated
   long step = 0;
-  double x = 0, y = 0;  ///< m
-  long particle = -1;   ///< id, -1 if a whole cell or the whole run is meant
-  int cell = -1;        ///< -1 for plasma and the whole run
+  double x = 0, y = 0;   ///< m
+  long particle = -1;    ///< id, -1 if a whole cell or the whole run is meant
+  int cell = -1;         ///< -1 for plasma and the whole run
+  bool mendable = true;  ///< by a smaller step; not what grew in many
 };
 
 class SimulationError : public std::runtime_error {

@@ -70,8 +70,8 @@ void visit(Stream& stream, Lane& lane) {
 
 template <class Stream>
 void visit(Stream& stream, CellExtremes& extremes) {
-  auto& [area_drift, least_perimeter, most_perimeter, least_thickness, thinnest_time] = extremes;
-  stream(area_drift, least_perimeter, most_perimeter, least_thickness, thinnest_time);
+  auto& [area, area_drift, least_perimeter, most_perimeter, least_thickness, thinnest_time] = extremes;
+  stream(area, area_drift, least_perimeter, most_perimeter, least_thickness, thinnest_time);
 }
 
 template <class Stream>

@@ -96,7 +96,7 @@ void Simulation::step() {
       }
       step_control_.reject(state_.dt, "error");
     } catch (const SimulationError& error) {
-      if (!step_control_.reject(state_.dt, error.breach().quantity)) {
+      if (!error.breach().mendable || !step_control_.reject(state_.dt, error.breach().quantity)) {
         before_.restore(state_);
         throw;
       }

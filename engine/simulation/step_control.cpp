@@ -19,6 +19,8 @@ constexpr double largest_change = 0.1;
 constexpr double error_range = 64;
 constexpr double growth = 1.25;
 constexpr int most_rejections = 8;
+// Of the planned step: where accepted steps crowd below it, none cures the breach that each next one meets.
+constexpr double least_step = 1.0 / 4096;
 
 double stretching_rate(const effects::State& state) {
   const auto& p = state.particles;
@@ -90,7 +92,7 @@ bool StepControl::reject(double dt, const std::string& cause) {
     counts_.rejections.push_back({cause, 1});
   }
   allowed_after_rejection_ = dt / 2;
-  return ++rejections_in_a_row_ <= most_rejections;
+  return ++rejections_in_a_row_ <= most_rejections && dt > least_step * planned_;
 }
 
 }  // namespace rouleau

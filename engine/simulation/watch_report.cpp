@@ -20,6 +20,14 @@ std::string thinness(int cell, const effects::CellExtremes& extremes, double uni
   return text.str();
 }
 
+std::string drift(int cell, const effects::CellExtremes& extremes) {
+  std::ostringstream text;
+  text << std::setprecision(3) << "the area of cell " << cell << " was off by up to "
+       << 100 * extremes.area_drift << " %: more than " << 100 * effects::area_warning
+       << " % says that its membrane leaks or its particles do not carry it";
+  return text.str();
+}
+
 }  // namespace
 
 void report_watch(const effects::State& state, RunSummary& summary) {
@@ -37,6 +45,9 @@ void report_watch(const effects::State& state, RunSummary& summary) {
     worst.least_perimeter = std::min(worst.least_perimeter, cell.least_perimeter);
     worst.most_perimeter = std::max(worst.most_perimeter, cell.most_perimeter);
     worst.least_thickness = std::min(worst.least_thickness, cell.least_thickness);
+    if (cell.area_drift > effects::area_warning) {
+      summary.warnings.push_back(drift(static_cast<int>(c), cell));
+    }
     if (cell.least_thickness < effects::thin) {
       summary.warnings.push_back(thinness(static_cast<int>(c), cell, s.time(), state.spacing * s.length));
     }
