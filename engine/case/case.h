@@ -127,6 +127,12 @@ enum class Preset {
 
 enum class Viscosity { implicit, substeps };
 
+/// What becomes of a cell that is squeezed thinner than the particles can carry.
+enum class Refine {
+  automatic,  ///< the run goes on with a finer spacing
+  off,        ///< it ends
+};
+
 /// How the scene is computed. After `read_case` every knob is filled in, from the preset where the case
 /// does not name it.
 struct Numerics {
@@ -138,6 +144,7 @@ struct Numerics {
   int substeps = 12;                 ///< of a viscous step, where it is explicit (eqs. 16 to 18)
   double pressure_tolerance = 1e-2;  ///< relative residual at which the pressure solver stops
   int threads = 1;
+  Refine refine = Refine::automatic;
 };
 
 enum class Field { velocity, pressure, wall_shear_stress };

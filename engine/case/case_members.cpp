@@ -160,6 +160,7 @@ void from_json(const json& object, Numerics& numerics) {
   take(object, "substeps", numerics.substeps);
   take(object, "pressure_tolerance", numerics.pressure_tolerance);
   take(object, "threads", numerics.threads);
+  take(object, "refine", numerics.refine);
 }
 
 void to_json(json& object, const Numerics& numerics) {
@@ -169,7 +170,8 @@ void to_json(json& object, const Numerics& numerics) {
             {"kernel_radius", numerics.kernel_radius},
             {"viscosity", numerics.viscosity},
             {"pressure_tolerance", numerics.pressure_tolerance},
-            {"threads", numerics.threads}};
+            {"threads", numerics.threads},
+            {"refine", numerics.refine}};
   if (numerics.viscosity == Viscosity::substeps) object["substeps"] = numerics.substeps;
 }
 

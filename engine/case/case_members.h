@@ -25,6 +25,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Preset, {{Preset::standard, "standard"},
                                       {Preset::paper, "paper"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Viscosity,
                              {{Viscosity::implicit, "implicit"}, {Viscosity::substeps, "substeps"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Refine, {{Refine::automatic, "auto"}, {Refine::off, "off"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Field, {{Field::velocity, "velocity"},
                                      {Field::pressure, "pressure"},
                                      {Field::wall_shear_stress, "wall_shear_stress"}})

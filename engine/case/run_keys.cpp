@@ -72,6 +72,13 @@ Key numerics_key() {
                .description = "Threads that compute.",
                .range = only(1),
                .fallback = standard.threads},
+              {.name = "refine",
+               .kind = Kind::choice,
+               .description =
+                   "What happens when a cell is squeezed thinner than two spacings: auto goes on with "
+                   "a finer spacing, down to a third of the one given; off ends the run at 1.6 spacings.",
+               .fallback = "auto",
+               .choices = {"auto", "off"}},
           }};
 }
 

@@ -38,15 +38,24 @@ struct HingeLaw {
 
 /// E = -(4 B / l0) ln cos(theta / 2). From |theta| = 2.8 on (the links folded back on one another) the moment
 /// goes on linearly: finite, however far a bad step folds the ring.
-inline HingeLaw hinge_law(double angle, const Material& material) {
+/// `rest_length`, the hinge's l0, is the mean of its links'.
+inline HingeLaw hinge_law(double angle, const Material& material, double rest_length) {
   constexpr double fold = 2.8;
-  const double unit = material.bend_modulus / material.rest_length;
+  const double unit = material.bend_modulus / rest_length;
   const double within = std::fmin(std::fabs(angle), fold), beyond = std::fabs(angle) - within;
   const double tangent = std::tan(within / 2.0);
   const double slope = unit * (1.0 + tangent * tangent);
   const double moment = 2.0 * unit * tangent;
   return {2.0 * unit * std::log1p(tangent * tangent) + beyond * (moment + slope * beyond / 2.0),
           std::copysign(moment + slope * beyond, angle), slope};
+}
+
+inline HingeLaw hinge_law(double angle, const Material& material) {
+  return hinge_law(angle, material, material.rest_length);
+}
+
+inline double rest_length_at(Ring ring, const Material& material, std::size_t node) {
+  return 0.5 * (material.rest_length_of(ring.previous(node)) + material.rest_length_of(node));
 }
 
 }  // namespace rouleau::cells

@@ -31,13 +31,13 @@ struct LinkLaw {
 
 /// Where a cell squeezes past an obstacle the nodes of its trailing tip are swept together. Eq. 10 alone lets
 /// them collapse to a fraction of the fluid's spacing, so below 0.8 l0 the link stiffens, by default
-/// elevenfold.
-inline LinkLaw link_law(double length, const Material& material) {
+/// elevenfold. `rest_length` is the link's own l0.
+inline LinkLaw link_law(double length, const Material& material, double rest_length) {
   constexpr double crush_ratio = 0.8;
-  const double spring = material.stretch_modulus / material.rest_length;
-  const double stretch = length - material.rest_length;
+  const double spring = material.stretch_modulus / rest_length;
+  const double stretch = length - rest_length;
   LinkLaw law{spring * stretch * stretch / 2.0, spring * stretch, spring};
-  const double crush = length - crush_ratio * material.rest_length;
+  const double crush = length - crush_ratio * rest_length;
   if (crush < 0.0) {
     const double crush_spring = material.crush_stiffening * spring;
     law.energy += crush_spring * crush * crush / 2.0;
@@ -45,6 +45,10 @@ inline LinkLaw link_law(double length, const Material& material) {
     law.slope += crush_spring;
   }
   return law;
+}
+
+inline LinkLaw link_law(double length, const Material& material) {
+  return link_law(length, material, material.rest_length);
 }
 
 }  // namespace rouleau::cells

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 namespace rouleau::cells {
 
 /// Elastic constants of a membrane, per unit depth, so that they stay the same when the nodes are refined.
@@ -9,6 +12,11 @@ struct Material {
   double bend_modulus;             ///< B, the bending moment per curvature: energy
   double rest_length;              ///< l0, the unstretched length of every link
   double crush_stiffening = 10.0;  ///< added slope of a link below 0.8 l0, over E_s / l0; 0 is eq. 10 alone
+  std::vector<double> rest_lengths{};  ///< of each link, where its nodes were placed anew; empty: all are l0
+
+  double rest_length_of(std::size_t link) const {
+    return rest_lengths.empty() ? rest_length : rest_lengths[link];
+  }
 };
 
 }  // namespace rouleau::cells

@@ -28,6 +28,7 @@
 #include "engine/effects/pressure_rotational.h"
 #include "engine/effects/shifting.h"
 #include "engine/effects/stretch.h"
+#include "engine/effects/thin_cells.h"
 #include "engine/effects/transport.h"
 #include "engine/effects/velocity_correction.h"
 #include "engine/effects/viscosity_contrast.h"
@@ -77,6 +78,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &velocity_correction,
       &watch,
       &membrane_watch,
+      &thin_cells,
   };
   // clang-format on
   return kinds;

@@ -26,7 +26,8 @@ class Inflow : public Effect {
     for (int k = 1; k <= state.rows(); ++k) {
       const double y = state.row_y(k);
       const double velocity = plug ? height / (height - d0) : state.parabola(y / height);
-      const Lane lane{y, velocity, velocity * waveform_factor(state.scene.inflow, 0),
+      const Lane lane{y, velocity,
+                      velocity * waveform_factor(state.scene.inflow, state.time * state.scales.time()),
                       state.row_offset(k) - 0.5 * d0};
       for (int column = 0; column < buffer_depth; ++column) emit(state, lane, lane.head - column * d0);
       state.lanes.push_back(lane);

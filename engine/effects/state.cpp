@@ -16,11 +16,13 @@ particles::Extent extent_of(const geometry::Outline& outline, double spacing) {
 
 }  // namespace
 
-State::State(const Case& scene_given, const Scales& scales_given, double spacing_given)
+State::State(const Case& scene_given, const Scales& scales_given, double spacing_given,
+             double start_spacing_given)
     : scene(scene_given),
       scales(scales_given),
       outline(scene, scales.length, scales.velocity),
       spacing(spacing_given),
+      start_spacing(start_spacing_given),
       viscosity(scene.plasma.kinematic_viscosity / scales.viscosity()),
       radius(scene.numerics.kernel_radius * spacing),
       near_radius(scene.numerics.preset == Preset::paper ? radius : 2.1 * spacing),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,8 @@ struct CellState {
   int first_node = 0;  ///< index of its first node among the particles
   int nodes = 0;       ///< none once it has left
   cells::Material material;
+  int start_nodes = 0;             ///< how many it had at first
+  std::int64_t first_id = 0;       ///< of the first of them; the others follow
   double start_area = 0;           ///< enclosed area that it keeps
   double start_inertia_nodes = 0;  ///< what tau refers to (eq. 23)
   double start_inertia_area = 0;
@@ -86,15 +89,18 @@ struct Counters {
 /// Everything that effects share: the particles, the operators on them, and what one effect of a step
 /// leaves for the next. Lengths in vessel diameters, velocities in mean inflow velocities, density 1.
 struct State {
-  State(const Case& scene, const Scales& scales, double spacing);
+  State(const Case& given, const Scales& units, double at_spacing)
+      : State(given, units, at_spacing, at_spacing) {}
+  State(const Case& given, const Scales& units, double at_spacing, double at_start_spacing);
 
   Case scene;
   Scales scales;
   geometry::Outline outline;
-  double spacing;      ///< d0
-  double viscosity;    ///< kinematic
-  double radius;       ///< of the least-squares fits
-  double near_radius;  ///< of the pressure equation and of shifting: 2.1 d0; the kernel's in preset paper
+  double spacing;        ///< d0
+  double start_spacing;  ///< d0 before any refinement
+  double viscosity;      ///< kinematic
+  double radius;         ///< of the least-squares fits
+  double near_radius;    ///< of the pressure equation and of shifting: 2.1 d0; the kernel's in preset paper
 
   double time = 0;
   long step = 0;
@@ -121,6 +127,9 @@ struct State {
   std::vector<double> shift_x, shift_y;          ///< displacement beside the flow's
   // Over all particles.
   std::vector<double> next_x, next_y;  ///< positions carried along by the flow alone
+
+  double wanted_spacing = 0;  ///< a finer one that the present step called for; 0: none
+  int thinnest_cell = -1;     ///< the cell that did
 
   Counters counters;
 

@@ -17,6 +17,7 @@ std::string describe(const Breach& breach) {
   text << ", at x = " << breach.x * 1e6 << " um, y = " << breach.y * 1e6 << " um";
   if (breach.particle >= 0) text << ", particle " << breach.particle;
   if (breach.cell >= 0) text << (breach.particle >= 0 ? " of" : ",") << " cell " << breach.cell;
+  if (!breach.advice.empty()) text << ": " << breach.advice;
   return text.str();
 }
 

@@ -17,6 +17,7 @@ struct Breach {
   long particle = -1;    ///< id, -1 if a whole cell or the whole run is meant
   int cell = -1;         ///< -1 for plasma and the whole run
   bool mendable = true;  ///< by a smaller step; not what grew in many
+  std::string advice{};  ///< what would help, if that is known
 };
 
 class SimulationError : public std::runtime_error {

@@ -7,6 +7,7 @@
 #include "engine/cells/gap.h"
 #include "engine/cells/shape.h"
 #include "engine/cells/tank_treading.h"
+#include "engine/observe/first_nodes.h"
 
 namespace rouleau::observe {
 
@@ -31,13 +32,11 @@ double gap_to_others(const effects::State& state, std::size_t k) {
 MembraneMeasures measure_membrane(const effects::State& state, std::size_t k) {
   const effects::CellState& cell = state.cells[k];
   const cells::Ring ring = state.ring(cell);
-  const auto nodes = static_cast<std::size_t>(cell.nodes);
-  const std::span<const double> u{&state.particles.u[cell.first_node], nodes};
-  const std::span<const double> v{&state.particles.v[cell.first_node], nodes};
-  const cells::TankTreading treading = cells::tank_treading(ring, u, v);
-  std::array<double, 2> motion = cells::centroid_velocity(ring, u, v);
+  const FirstNodes first = first_nodes(state, cell);
+  const cells::TankTreading treading = cells::tank_treading(first.ring(), first.u, first.v);
+  std::array<double, 2> motion = cells::centroid_velocity(first.ring(), first.u, first.v);
   if (std::hypot(motion[0], motion[1]) < at_rest) motion = {1, 0};
-  const cells::Strain strain = cells::strain(ring, cell.material.rest_length);
+  const cells::Strain strain = cells::strain(first.ring(), cell.material.rest_length);
   const Scales& s = state.scales;
   return {.mean_strain = strain.mean,
           .greatest_strain = strain.greatest,

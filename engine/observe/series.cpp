@@ -69,6 +69,7 @@ std::vector<Column> series_columns(const Case& scene) {
       columns.push_back({cell + column.name, column.unit});
     }
   }
+  if (!scene.cells.empty()) columns.push_back({"spacing", "m"});
   return columns;
 }
 
@@ -101,6 +102,7 @@ std::vector<double> series_row(const effects::State& state, const FlowPlanes& pl
                            static_cast<double>(m.shape), m.thickness, m.wall_gap});
     if (state.cells.size() > 1) row.push_back(m.cell_gap);
   }
+  if (!state.scene.cells.empty()) row.push_back(state.spacing * s.length);
   return row;
 }
 

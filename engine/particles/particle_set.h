@@ -43,6 +43,9 @@ struct ParticleSet {
            set.next_id_);
   }
 
+  /// Ids go on where those of another set end.
+  void continue_ids(const ParticleSet& before) { next_id_ = before.next_id_; }
+
  private:
   friend class ParticleSorter;
 

@@ -101,6 +101,8 @@ void place_cells(State& state) {
     CellState placed = place_cell(state, cell, static_cast<int>(state.cells.size()));
     const cells::Shape shape = cells::measure(state.ring(placed));
     placed.start_area = shape.area;
+    placed.start_nodes = placed.nodes;
+    placed.first_id = state.particles.id[placed.first_node];
     placed.start_inertia_nodes = shape.inertia_nodes;
     placed.start_inertia_area = shape.inertia_area;
     placed.start_perimeter = shape.perimeter;

@@ -52,6 +52,13 @@ void check_membranes(const effects::State& state) {
             "the cells are out of order");
     const std::size_t end = node + static_cast<std::size_t>(cell.nodes);
     require(end <= set.x.size(), "a membrane is incomplete");
+    const auto& rest_lengths = cell.material.rest_lengths;
+    require(
+        cell.departure || rest_lengths.empty() || rest_lengths.size() == static_cast<std::size_t>(cell.nodes),
+        "a membrane's links differ in number from its nodes");
+    require(
+        cell.start_nodes >= 3 && cell.first_id >= 0 && cell.start_nodes < 100000 && all_finite(rest_lengths),
+        "a membrane has not begun as one");
     for (; node < end; ++node) {
       require(set.group[node] == Group::membrane && set.cell[node] == static_cast<std::int32_t>(c),
               "a membrane is incomplete");
@@ -62,6 +69,11 @@ void check_membranes(const effects::State& state) {
 }
 
 }  // namespace
+
+void check_spacing(double spacing, const effects::State& state) {
+  require(spacing <= state.start_spacing && spacing > 0.1 * state.start_spacing,
+          "its spacing is none of the case's");
+}
 
 void check_lasting(const effects::State& state, std::size_t lanes) {
   require(state.time >= 0 && std::isfinite(state.time) && state.step >= 0, "its time is none of a run");

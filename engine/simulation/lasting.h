@@ -2,6 +2,7 @@
 
 #include "engine/effects/state.h"
 #include "engine/simulation/byte_stream.h"
+#include "engine/simulation/refinement_record.h"
 #include "engine/simulation/run.h"
 #include "engine/simulation/step_control.h"
 
@@ -36,12 +37,18 @@ void visit(Stream& stream, CellSummary& cell) {
          least_thickness, least_wall_gap, least_cell_gap, time_as, departure);
 }
 
+template <class Stream>
+void visit(Stream& stream, Refinement& refinement) {
+  auto& [time, cell, spacing] = refinement;
+  stream(time, cell, spacing);
+}
+
 namespace cells {
 
 template <class Stream>
 void visit(Stream& stream, Material& material) {
-  auto& [stretch_modulus, bend_modulus, rest_length, crush_stiffening] = material;
-  stream(stretch_modulus, bend_modulus, rest_length, crush_stiffening);
+  auto& [stretch_modulus, bend_modulus, rest_length, crush_stiffening, rest_lengths] = material;
+  stream(stretch_modulus, bend_modulus, rest_length, crush_stiffening, rest_lengths);
 }
 
 }  // namespace cells
@@ -56,10 +63,10 @@ void visit(Stream& stream, Departure& departure) {
 
 template <class Stream>
 void visit(Stream& stream, CellState& cell) {
-  auto& [first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, start_perimeter,
-         start_phase, presence, departure] = cell;
-  stream(first_node, nodes, material, start_area, start_inertia_nodes, start_inertia_area, start_perimeter,
-         start_phase, presence, departure);
+  auto& [first_node, nodes, material, start_nodes, first_id, start_area, start_inertia_nodes,
+         start_inertia_area, start_perimeter, start_phase, presence, departure] = cell;
+  stream(first_node, nodes, material, start_nodes, first_id, start_area, start_inertia_nodes,
+         start_inertia_area, start_perimeter, start_phase, presence, departure);
 }
 
 template <class Stream>
@@ -90,6 +97,10 @@ void visit(Stream& stream, State& state) {
 }
 
 }  // namespace effects
+
+/// Whether a spacing that was read can be one that a state was refined to.
+/// @throws CheckpointError
+void check_spacing(double spacing, const effects::State& state);
 
 /// Whether a state that was read can be one of its scene: whatever the bytes were, a run goes on from it
 /// without touching memory that is not its own.

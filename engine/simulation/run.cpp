@@ -117,6 +117,7 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   for (const Rejection& rejection : counts.rejections) {
     summary.rejections.push_back({rejection.cause, rejection.steps});
   }
+  summary.refinements = simulation.refinements();
   summary.least_time_step = counts.least * state.scales.time();
   for (int k = 0; k < limits; ++k) {
     if (counts.bound[k] > 0) {

@@ -10,6 +10,7 @@
 
 #include "engine/cells/shape_class.h"
 #include "engine/observe/output.h"
+#include "engine/simulation/refinement_record.h"
 
 namespace rouleau {
 
@@ -84,6 +85,7 @@ struct RunSummary {
   double peak_fluid_speed = 0;       ///< m/s
   double poiseuille_deviation = -1;  ///< eq. 22, mean over the last half; -1 where no parabola is expected
   double poiseuille_deviation_worst = -1;  ///< the worst of it there
+  std::vector<Refinement> refinements;     ///< changes of the spacing for thin cells
   std::vector<WatchedQuantity> watched;
   std::vector<std::string> warnings;  ///< sentences for a person
   long contact_steps = 0;             ///< in which a membrane was in contact

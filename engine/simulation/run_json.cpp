@@ -71,6 +71,11 @@ nlohmann::json to_json(const RunSummary& summary) {
   for (const EffectTime& time : summary.effect_times) {
     times.push_back({{"name", time.name}, {"seconds", time.seconds}});
   }
+  nlohmann::json refinements = nlohmann::json::array();
+  for (const Refinement& refinement : summary.refinements) {
+    refinements.push_back(
+        {{"time", refinement.time}, {"cell", refinement.cell}, {"spacing", refinement.spacing}});
+  }
   nlohmann::json json = {{"ending", name_of(summary.ending)},
                          {"reason", summary.reason},
                          {"simulated_time", summary.simulated_time},
@@ -79,6 +84,7 @@ nlohmann::json to_json(const RunSummary& summary) {
                          {"rejections", rejections},
                          {"step_limits", bound},
                          {"least_time_step", summary.least_time_step},
+                         {"refinements", refinements},
                          {"wall_time", summary.wall_time},
                          {"steps_per_second", summary.steps_per_second},
                          {"cells", cells},

@@ -7,10 +7,15 @@
 #include "engine/error/simulation_error.h"
 #include "engine/simulation/arrange.h"
 #include "engine/simulation/lasting.h"
+#include "engine/simulation/refinement.h"
 
 namespace rouleau {
 
 namespace {
+
+// After a refinement: how many times the flow is solved for at most, and the change of velocity that is none.
+constexpr int most_solves = 20;
+constexpr double same_flow = 1e-3;
 
 using Clock = std::chrono::steady_clock;
 
@@ -29,12 +34,47 @@ Simulation::Simulation(const Case& resolved)
   place_cells(state_);
   place_fluid(state_);
   place_walls(state_);
+  make_effects();
+  run_stage(effects::Stage::operators);
+}
+
+void Simulation::make_effects() {
   for (const effects::EffectKind* kind : effects::catalogue()) {
     const auto planned = std::find_if(plan_.effects.begin(), plan_.effects.end(),
                                       [&](const PlannedEffect& e) { return e.name == kind->name; });
     if (planned->on) effects_.push_back({kind, kind->make(state_)});
   }
+}
+
+void Simulation::refine(double spacing) {
+  refinements_.push_back({time(), state_.thinnest_cell, spacing * state_.scales.length});
+  remake(refined(state_, spacing));
   run_stage(effects::Stage::operators);
+  find_flow();
+}
+
+void Simulation::find_flow() {
+  const effects::Counters counters = state_.counters;
+  double change = 1;
+  for (int k = 0; k < most_solves && change > same_flow; ++k) {
+    state_.dt = planned_step_ * state_.spacing / state_.start_spacing;
+    change = solve_flow();
+    run_stage(effects::Stage::operators);
+  }
+  auto& particles = state_.particles;
+  std::fill(particles.du.begin(), particles.du.end(), 0.0);
+  std::fill(particles.dv.begin(), particles.dv.end(), 0.0);
+  state_.counters = counters;
+}
+
+void Simulation::remake(effects::State state) {
+  state_ = std::move(state);
+  const std::vector<Cost> spent = costs();
+  effects_.clear();
+  make_effects();
+  for (std::size_t k = 0; k < spent.size(); ++k) effects_[k].seconds = spent[k].seconds;
+  const double finer = state_.spacing / state_.start_spacing;
+  if (!state_.scene.numerics.time_step) step_control_.plan(planned_step_ * finer);
 }
 
 double Simulation::time() const {
@@ -55,17 +95,22 @@ void Simulation::run_stage(effects::Stage stage) {
   }
 }
 
-double Simulation::attempt() {
+double Simulation::solve_flow() {
   using effects::Stage;
-  run_stage(Stage::motion);
-  run_stage(Stage::boundaries);
-  run_stage(Stage::operators);
   start_u_ = state_.particles.u;
   start_v_ = state_.particles.v;
   run_stage(Stage::forces);
   run_stage(Stage::viscosity);
   run_stage(Stage::pressure);
-  const double change = note_change_of_velocity();
+  return note_change_of_velocity();
+}
+
+double Simulation::attempt() {
+  using effects::Stage;
+  run_stage(Stage::motion);
+  run_stage(Stage::boundaries);
+  run_stage(Stage::operators);
+  const double change = solve_flow();
   run_stage(Stage::checks);
   return change;
 }
@@ -107,6 +152,7 @@ void Simulation::step() {
   state_.last_dt = state_.dt;
   state_.time += state_.dt;
   ++state_.step;
+  if (state_.wanted_spacing > 0) refine(state_.wanted_spacing);
 }
 
 bool Simulation::cell_at_inlet() const {
@@ -126,11 +172,16 @@ std::vector<Simulation::Cost> Simulation::costs() const {
 }
 
 void Simulation::save(ByteWriter& bytes) {
-  bytes(state_, step_control_);
+  bytes(state_.spacing, refinements_, state_, step_control_);
   for (Running& running : effects_) bytes(running.seconds);
 }
 
 void Simulation::restore(ByteReader& bytes) {
+  double spacing = 0;
+  bytes(spacing, refinements_);
+  check_spacing(spacing, state_);
+  if (spacing != state_.spacing)
+    remake(effects::State(state_.scene, state_.scales, spacing, state_.start_spacing));
   const std::size_t lanes = state_.lanes.size();
   bytes(state_, step_control_);
   for (Running& running : effects_) bytes(running.seconds);

@@ -6,6 +6,7 @@
 #include "engine/effects/effect.h"
 #include "engine/plan/plan.h"
 #include "engine/simulation/byte_stream.h"
+#include "engine/simulation/refinement_record.h"
 #include "engine/simulation/snapshot.h"
 #include "engine/simulation/step_control.h"
 
@@ -36,6 +37,9 @@ class Simulation {
   /// Whether a node of a membrane is within half a spacing of the inlet plane.
   bool cell_at_inlet() const;
 
+  /// Changes of the spacing so far.
+  const std::vector<Refinement>& refinements() const { return refinements_; }
+
   struct Cost {
     const effects::EffectKind* kind;
     double seconds = 0;
@@ -55,7 +59,16 @@ class Simulation {
     double seconds = 0;
   };
 
+  void make_effects();
+  void refine(double spacing);
+  /// Goes on from another state of the same scene.
+  void remake(effects::State state);
+  /// Solves for the flow of resampled particles, with nothing moving, until it fits their forces and
+  /// pressures.
+  void find_flow();
   void run_stage(effects::Stage stage);
+  /// Forces, viscosity and pressure where the particles are; returns the change of velocity.
+  double solve_flow();
   /// One attempt; returns the change of velocity that StepControl judges.
   double attempt();
   /// Keeps it with the particles, for the next step, and returns its size.
@@ -65,9 +78,10 @@ class Simulation {
   effects::State state_;
   std::vector<Running> effects_;
   double duration_;
-  double planned_step_;
+  double planned_step_;  ///< at the start's spacing
   StepControl step_control_;
   Snapshot before_;
+  std::vector<Refinement> refinements_;
   std::vector<double> start_u_, start_v_;  ///< of the active particles, as the step found them
 };
 

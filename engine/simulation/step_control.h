@@ -53,6 +53,9 @@ class StepControl {
   /// @param change  rms change of velocity along the particles' paths, over the rms velocity (at least 1)
   bool accurate(double dt, double change) const;
 
+  /// From now on the planned step is another one.
+  void plan(double planned) { planned_ = planned; }
+
   void accept(double dt, double change);
   /// After a breach: whether the step may be tried again, smaller.
   /// @param cause  "error", or the quantity that broke its bound

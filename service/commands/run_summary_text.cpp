@@ -110,6 +110,16 @@ std::string describe_effect_times(const nlohmann::json& times) {
   return text.empty() ? text : "time per effect:\n" + text;
 }
 
+std::string describe_refinements(const nlohmann::json& refinements) {
+  std::string text;
+  for (const auto& refinement : refinements) {
+    text += fmt::format("at {:.4g} ms, for cell {:.0f}: spacing {:.3g} um, its membrane's nodes anew\n",
+                        1e3 * number(refinement, "time"), number(refinement, "cell"),
+                        1e6 * number(refinement, "spacing"));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string describe_summary(const nlohmann::json& summary) {
@@ -131,6 +141,9 @@ std::string describe_summary(const nlohmann::json& summary) {
   }
   if (const double through = number(summary, "wrong_side"); through > 0) {
     text += fmt::format("{:.0f} particles slipped through a membrane and were put back\n", through);
+  }
+  if (const auto changes = summary.find("refinements"); changes != summary.end()) {
+    text += describe_refinements(*changes);
   }
   text += describe_step_limits(summary);
   text += describe_watched(summary);

@@ -46,7 +46,7 @@ TEST(Catalogue, MembranesEffectsAreCalledForByCellsAlone) {
   }
   EXPECT_EQ(of_membranes, (std::set<std::string>{"stretch", "bending", "contact", "membrane_coupling",
                                                  "area_control", "membrane_clearance", "membrane_sides",
-                                                 "membrane_watch", "departure", "fading"}));
+                                                 "membrane_watch", "departure", "fading", "thin_cells"}));
 }
 
 TEST(Catalogue, EveryEffectIsForSomeScene) {

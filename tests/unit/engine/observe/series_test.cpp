@@ -45,7 +45,7 @@ Names joined(std::initializer_list<Names> parts) {
 
 TEST(Series, ColumnsAreTheOnesPromised) {
   EXPECT_EQ(column_names(0), joined({{"time"}, flow, {"poiseuille_deviation"}}));
-  EXPECT_EQ(column_names(1), joined({{"time"}, of_cell("cell0"), flow, of_membrane("cell0")}));
+  EXPECT_EQ(column_names(1), joined({{"time"}, of_cell("cell0"), flow, of_membrane("cell0"), {"spacing"}}));
   EXPECT_EQ(column_names(2), joined({{"time"},
                                      of_cell("cell0"),
                                      of_cell("cell1"),
@@ -53,7 +53,8 @@ TEST(Series, ColumnsAreTheOnesPromised) {
                                      of_membrane("cell0"),
                                      {"cell0.cell_gap"},
                                      of_membrane("cell1"),
-                                     {"cell1.cell_gap"}}));
+                                     {"cell1.cell_gap"},
+                                     {"spacing"}}));
 }
 
 TEST(Series, ABifurcationHasTwoOutflows) {

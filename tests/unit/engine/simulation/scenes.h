@@ -16,6 +16,7 @@ inline Case coarse_vessel() {
 
 inline Case coarse_vessel_with_cells(int cells = 1) {
   Case scene = coarse_vessel();
+  scene.numerics.refine = Refine::off;  // its cells are hardly more than two spacings thick
   scene.vessel.length = 10e-6 * (cells + 1);
   for (int k = 0; k < cells; ++k) {
     RedCell cell;
