@@ -104,6 +104,11 @@ struct Thrombus {
   double radius = 0;  ///< m
 };
 
+enum class CellShape {
+  rest,    ///< the force-free shape at its area
+  circle,  ///< the circle that it is deflated from: it deflates during the run
+};
+
 /// A red cell. Its moduli are per unit depth and do not depend on the particle spacing.
 struct RedCell {
   double x = 0;                   ///< of its centre, m
@@ -114,7 +119,13 @@ struct RedCell {
   double stretch_modulus = 1e-5;  ///< E_s, N/m
   double bend_modulus = 4.8e-18;  ///< B, J
   double viscosity_ratio = 1;     ///< inside over plasma
+  CellShape shape = CellShape::rest;
 };
+
+/// Whether it gives up some of its area in the course of the run.
+inline bool deflates(const RedCell& cell) {
+  return cell.shape == CellShape::circle && cell.fill < 1;
+}
 
 enum class Switch { automatic, on, off };
 
@@ -178,6 +189,12 @@ struct Case {
   OutputSettings output;
   std::vector<Probe> probes;
 };
+
+/// Whether particles start on a square lattice, enter in columns, and a plug is fed at the inflow's velocity,
+/// as the study has it: in the published scheme with cells.
+inline bool starts_as_published(const Case& scene) {
+  return scene.numerics.preset == Preset::paper && !scene.cells.empty();
+}
 
 /// How the plasma moves at the start, once the scene has decided.
 inline InitialFlow initial_flow(const Case& scene) {

@@ -134,6 +134,7 @@ void from_json(const json& object, RedCell& cell) {
   take(object, "stretch_modulus", cell.stretch_modulus);
   take(object, "bend_modulus", cell.bend_modulus);
   take(object, "viscosity_ratio", cell.viscosity_ratio);
+  take(object, "shape", cell.shape);
 }
 
 void to_json(json& object, const RedCell& cell) {
@@ -145,7 +146,7 @@ void to_json(json& object, const RedCell& cell) {
             {"stretch_modulus", cell.stretch_modulus},
             {"bend_modulus", cell.bend_modulus},
             {"viscosity_ratio", cell.viscosity_ratio},
-            {"shape", "rest"}};
+            {"shape", cell.shape}};
 }
 
 void from_json(const json& object, Numerics& numerics) {

@@ -18,6 +18,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(InitialFlow, {{InitialFlow::automatic, "auto"},
                                            {InitialFlow::developed, "developed"},
                                            {InitialFlow::taylor_green, "taylor_green"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Wall, {{Wall::lower, "lower"}, {Wall::upper, "upper"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(CellShape, {{CellShape::rest, "rest"}, {CellShape::circle, "circle"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Switch, {{Switch::automatic, "auto"}, {Switch::on, "on"}, {Switch::off, "off"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(Preset, {{Preset::standard, "standard"},
                                       {Preset::draft, "draft"},

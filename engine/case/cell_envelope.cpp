@@ -54,7 +54,7 @@ bool axes_cross(const Capsule& one, const Capsule& other) {
 }  // namespace
 
 Capsule cell_envelope(const RedCell& cell) {
-  const Extent extent = extent_at(cell.fill);
+  const Extent extent = extent_at(cell.shape == CellShape::circle ? 1 : cell.fill);
   const double circle = cell.diameter / 2;
   const double reach = circle * (extent.half_length - extent.half_width);
   const double angle = cell.angle * std::numbers::pi / 180;

@@ -13,8 +13,8 @@ struct Capsule {
   double radius = 0;
 };
 
-/// A capsule that holds the cell's rest shape, wherever the scene puts it: what the checks of a scene take
-/// for the cell before anything is computed.
+/// A capsule that holds the shape that the cell starts with, wherever the scene puts it: what the checks of a
+/// scene take for the cell before anything is computed.
 Capsule cell_envelope(const RedCell& cell);
 
 /// Least distance between what the capsules' axes pass through; less than the radii together is an overlap.

@@ -110,21 +110,25 @@ class ContentChecks {
 
   void pairs_of_cells() {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
+      const std::string place = pointer_to("/cells", cells_[i]);
       for (std::size_t j = 0; j < i; ++j) {
         const double gap =
-            axis_distance(envelopes_[i], envelopes_[j]) - envelopes_[i].radius - envelopes_[j].radius;
+            least_distance(envelopes_[i],
+                           [&](const Capsule& image) { return axis_distance(image, envelopes_[j]); }) -
+            envelopes_[i].radius - envelopes_[j].radius;
         if (gap < -tolerance()) {
-          faults_.add(pointer_to("/cells", cells_[i]),
+          faults_.add(place,
                       "overlaps cell " + std::to_string(cells_[j]) + " by " + meters(-gap) + as_estimated());
         }
       }
+      apart_from_itself(envelopes_[i], place);
     }
   }
 
  private:
   static std::string meters(double length) { return rounded(length, "m"); }
 
-  static std::string as_estimated() { return ", taking the cell in its rest shape"; }
+  static std::string as_estimated() { return ", taking the cell in the shape it starts with"; }
 
   std::string needed_gap() const {
     return " open; more than " + in_words(least_gap) + " spacings are needed, " +
@@ -159,9 +163,54 @@ class ContentChecks {
 
   bool closes(double gap) const { return gap <= least_gap * scene_.numerics.spacing + tolerance(); }
 
+  /// By how much what repeats itself is displaced, the nearest places included; {0, 0} first.
+  std::vector<Point> image_offsets() const {
+    std::vector<Point> offsets = {{0, 0}};
+    if (scene_.vessel.ends != Ends::periodic) return offsets;
+    const double length = scene_.vessel.length, height = scene_.vessel.diameter;
+    for (const double a : {-length, 0.0, length}) {
+      for (const double b : {-height, 0.0, height}) {
+        const bool repeats = b == 0 || scene_.vessel.shape == Shape::box;
+        if (repeats && (a != 0 || b != 0)) offsets.push_back({a, b});
+      }
+    }
+    return offsets;
+  }
+
+  static Capsule displaced(const Capsule& cell, const Point& by) {
+    return {
+        {cell.from[0] + by[0], cell.from[1] + by[1]}, {cell.to[0] + by[0], cell.to[1] + by[1]}, cell.radius};
+  }
+
+  /// Of the cell's images.
+  template <class Distance>
+  double least_distance(const Capsule& cell, const Distance& distance) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Point& by : image_offsets()) least = std::min(least, distance(displaced(cell, by)));
+    return least;
+  }
+
+  void apart_from_itself(const Capsule& cell, const std::string& place) {
+    for (const Point& by : image_offsets()) {
+      const double gap = axis_distance(cell, displaced(cell, by)) - 2 * cell.radius;
+      if ((by[0] == 0 && by[1] == 0) || gap >= -tolerance()) continue;
+      faults_.add(place, "overlaps its own image across the seam by " + meters(-gap) + as_estimated());
+      return;
+    }
+  }
+
+  /// Whether fluid goes on behind the side: the ends of a periodic vessel, all sides of a periodic box.
+  bool is_seam(std::size_t side) const {
+    if (scene_.vessel.ends != Ends::periodic) return false;
+    return scene_.vessel.shape == Shape::box ||
+           (side != outline_.lower.front() && side != outline_.upper.front());
+  }
+
   void inside_vessel(const Capsule& cell, const std::string& place) {
     bool fits = true;
-    for (const VesselSide& side : outline_.sides) {
+    for (std::size_t k = 0; k < outline_.sides.size(); ++k) {
+      if (is_seam(k)) continue;
+      const VesselSide& side = outline_.sides[k];
       const double clear = axis_distance(cell, Capsule{side.from, side.to});
       // An axis that passes through the side reaches as far beyond it as the end that lies outside.
       const double reached =
@@ -172,7 +221,8 @@ class ContentChecks {
                                as_estimated());
       }
     }
-    if (fits && !outline_.contains(cell.from)) {
+    const Point centre = {(cell.from[0] + cell.to[0]) / 2, (cell.from[1] + cell.to[1]) / 2};
+    if (fits && !outline_.contains(centre)) {
       faults_.add(place, "the cell lies outside the vessel" + as_estimated());
     }
   }
@@ -186,7 +236,9 @@ class ContentChecks {
   void outside_thrombi(const Capsule& cell, const std::string& place) {
     for (std::size_t i = 0; i < thrombi_.size(); ++i) {
       const Thrombus& thrombus = scene_.thrombi[thrombi_[i]];
-      const double gap = axis_distance(cell, seats_[i].centre) - cell.radius - thrombus.radius;
+      const double gap =
+          least_distance(cell, [&](const Capsule& image) { return axis_distance(image, seats_[i].centre); }) -
+          cell.radius - thrombus.radius;
       if (gap < -tolerance()) {
         faults_.add(place, "the cell reaches " + meters(-gap) + " into thrombus " +
                                std::to_string(thrombi_[i]) + as_estimated());

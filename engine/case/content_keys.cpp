@@ -76,9 +76,10 @@ Key cells_key() {
                .fallback = cell.viscosity_ratio},
               {.name = "shape",
                .kind = Kind::choice,
-               .description = "The shape it starts with: rest is the force-free one at its area.",
+               .description = "The shape it starts with: rest is the force-free one at its area, circle the "
+                              "circle of its diameter, from which it deflates.",
                .fallback = "rest",
-               .choices = {"rest"}},
+               .choices = {"rest", "circle"}},
           }};
 }
 

@@ -47,13 +47,15 @@ void check_drive(const json& given, const Vessel& vessel, Faults& faults) {
 
 void check_contents(const Case& scene, Faults& faults) {
   const Vessel& vessel = scene.vessel;
-  if (vessel.ends == Ends::periodic && !scene.cells.empty()) {
-    faults.add(
-        "/cells",
-        kind_of(vessel) + " takes no cells yet: none is followed from one end to the other; leave them out");
-  }
   if (vessel.ends == Ends::periodic && vessel.shape == Shape::box && !scene.thrombi.empty()) {
     faults.add("/thrombi", kind_of(vessel) + " has no walls for thrombi to sit on; leave them out");
+  }
+  for (std::size_t k = 0; k < scene.cells.size(); ++k) {
+    const std::string place = pointer_to("/cells", k);
+    if (!deflates(scene.cells[k]) || is_open(vessel) || !faults.clean(place)) continue;
+    faults.add(pointer_to(place, "shape"),
+               "found circle, but from " + kind_of(vessel) +
+                   " the fluid of a cell that deflates cannot leave; take rest, an open vessel, or fill 1");
   }
   for (std::size_t k = 0; k < scene.thrombi.size(); ++k) {
     const bool lower = scene.thrombi[k].wall == Wall::lower;
@@ -114,6 +116,24 @@ void check_numerics(const json& given, const Numerics& numerics, Faults& faults)
   }
 }
 
+/// What the published scheme has not.
+void check_preset_of_cells(const Case& scene, Faults& faults) {
+  if (scene.numerics.preset != Preset::paper) return;
+  for (std::size_t k = 0; k < scene.cells.size(); ++k) {
+    const std::string place = pointer_to("/cells", k);
+    if (!faults.clean(place)) continue;
+    if (scene.cells[k].shape != CellShape::rest) {
+      faults.add(pointer_to(place, "shape"),
+                 "found circle, but in the preset paper cells start relaxed; take rest or another preset");
+    }
+    if (scene.cells[k].viscosity_ratio != 1) {
+      faults.add(pointer_to(place, "viscosity_ratio"),
+                 "found " + in_words(scene.cells[k].viscosity_ratio) +
+                     ", but in the preset paper cells are as viscous as plasma; take 1 or another preset");
+    }
+  }
+}
+
 }  // namespace
 
 void check_parts(const json& given, const Case& scene, Faults& faults) {
@@ -123,7 +143,10 @@ void check_parts(const json& given, const Case& scene, Faults& faults) {
     if (faults.clean("/initial")) check_initial(given, scene, faults);
   }
   if (faults.clean("/inflow/waveform")) check_waveform(scene.inflow, faults);
-  if (faults.clean("/numerics")) check_numerics(given, scene.numerics, faults);
+  if (faults.clean("/numerics")) {
+    check_numerics(given, scene.numerics, faults);
+    check_preset_of_cells(scene, faults);
+  }
 }
 
 }  // namespace rouleau

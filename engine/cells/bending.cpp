@@ -1,5 +1,7 @@
 #include "engine/cells/bending.h"
 
+#include <cmath>
+
 #include "engine/cells/hinge.h"
 
 namespace rouleau::cells {
@@ -18,6 +20,23 @@ void add_bending_forces(Ring ring, const Material& material, std::span<double> f
     for (std::size_t k = 0; k < 3; ++k) {
       fx[hinge.node[k]] -= moment * hinge.gradient[2 * k];
       fy[hinge.node[k]] -= moment * hinge.gradient[2 * k + 1];
+    }
+  }
+}
+
+void add_printed_bending_forces(Ring ring, const Material& material, std::span<double> fx,
+                                std::span<double> fy) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Hinge hinge = hinge_at(ring, i);
+    const double force = hinge_law(hinge.angle, material).moment / material.rest_length;
+    for (const std::size_t end : {0, 2}) {
+      // The gradient points inwards, and its length is the inverse of the link's.
+      const double gx = hinge.gradient[2 * end], gy = hinge.gradient[2 * end + 1];
+      const double nx = -gx / std::hypot(gx, gy), ny = -gy / std::hypot(gx, gy);
+      fx[hinge.node[end]] += force * nx;
+      fy[hinge.node[end]] += force * ny;
+      fx[i] -= force * nx;
+      fy[i] -= force * ny;
     }
   }
 }

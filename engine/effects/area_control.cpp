@@ -19,7 +19,7 @@ class AreaControl : public Effect {
     for (const CellState& cell : state.cells) {
       // The drift of a cell that fades is not undone by flow out of the vessel.
       const double drift = cell.departure ? 0 : 1 - cells::area(state.ring(cell)) / cell.start_area;
-      wanted.push_back(cell.presence * drift / time);
+      wanted.push_back(cell.presence * drift / time + cell.area_rate);
     }
     for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
       if (state.particles.cell[i] >= 0) state.source[i] += wanted[state.particles.cell[i]];

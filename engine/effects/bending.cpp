@@ -9,7 +9,9 @@ const EffectKind bending{
     "bending",
     Stage::forces,
     true,
-    [](const Case& scene) { return needs_cells(scene, "a cell's membrane resists bending"); },
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, needs_cells(scene, "a cell's membrane resists bending"));
+    },
     [](State&) -> std::unique_ptr<Effect> {
       return std::make_unique<ElasticEnergy>(cells::add_bending_forces, cells::append_bending_stiffness);
     },

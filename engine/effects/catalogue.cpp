@@ -6,8 +6,10 @@
 #include "engine/effects/body_force.h"
 #include "engine/effects/contact.h"
 #include "engine/effects/corner_flow.h"
+#include "engine/effects/deflation.h"
 #include "engine/effects/density_source_relaxation.h"
 #include "engine/effects/departure.h"
+#include "engine/effects/direct_forces.h"
 #include "engine/effects/effect.h"
 #include "engine/effects/fading.h"
 #include "engine/effects/gradient_from_least_pressure.h"
@@ -26,6 +28,7 @@
 #include "engine/effects/pressure_coarse_space.h"
 #include "engine/effects/pressure_density.h"
 #include "engine/effects/pressure_rotational.h"
+#include "engine/effects/printed_bending.h"
 #include "engine/effects/shifting.h"
 #include "engine/effects/stretch.h"
 #include "engine/effects/thin_cells.h"
@@ -52,6 +55,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &membrane_sides,
       &inflow,
       &outflow,
+      &deflation,
       &periodicity,
       &departure,
       &neighbours,
@@ -61,9 +65,11 @@ const std::vector<const EffectKind*>& catalogue() {
       &corner_flow,
       &stretch,
       &bending,
+      &printed_bending,
       &contact,
       &fading,
       &membrane_coupling,
+      &direct_forces,
       &viscosity_implicit,
       &viscosity_substeps,
       &area_control,
@@ -119,7 +125,11 @@ bool has_membranes(const State& state) {
 }
 
 Need of_published_scheme(const Case& scene, std::string reason) {
-  if (scene.numerics.preset == Preset::paper) return {true, std::move(reason), "/numerics/preset"};
+  return of_published_scheme(scene, Need{true, std::move(reason), "/numerics/preset"});
+}
+
+Need of_published_scheme(const Case& scene, Need need) {
+  if (scene.numerics.preset == Preset::paper) return need;
   return {false, "only the published scheme, preset paper, has it", "/numerics/preset"};
 }
 

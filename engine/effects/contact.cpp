@@ -51,7 +51,9 @@ class Contacts : public Effect {
       cells::append_disc_contacts(boxes_[c], first, wedge.before.at, 0, range, contacts_);
     }
     for (const geometry::Bump& bump : state.outline.bumps()) {
-      cells::append_disc_contacts(boxes_[c], first, bump.centre, bump.radius, range, contacts_);
+      const double away = state.periods_x((box.x0 + box.x1) / 2 - bump.centre[0]);
+      cells::append_disc_contacts(boxes_[c], first, {bump.centre[0] + away, bump.centre[1]}, bump.radius,
+                                  range, contacts_);
     }
   }
 
@@ -60,6 +62,28 @@ class Contacts : public Effect {
       cells::append_contacts(boxes_[c], state.cells[c].first_node, boxes_[other],
                              state.cells[other].first_node, membrane_range * state.spacing,
                              other == c ? own_neighbourhood : -1, contacts_);
+    }
+    const double px = state.outline.period_x(), py = state.outline.period_y();
+    if (px == 0 && py == 0) return;
+    for (const int a : {-1, 0, 1}) {
+      for (const int b : {-1, 0, 1}) {
+        const bool repeats = (px > 0 || a == 0) && (py > 0 || b == 0);
+        if (repeats && (a != 0 || b != 0)) find_image(state, c, a * px, b * py);
+      }
+    }
+  }
+
+  /// The contacts of a cell that is displaced by whole periods.
+  void find_image(const State& state, std::size_t c, double away_x, double away_y) {
+    const cells::Ring ring = boxes_[c].ring();
+    image_x_.assign(ring.x.begin(), ring.x.end());
+    image_y_.assign(ring.y.begin(), ring.y.end());
+    for (double& x : image_x_) x += away_x;
+    for (double& y : image_y_) y += away_y;
+    const cells::LinkBoxes image({image_x_, image_y_});
+    for (std::size_t other = 0; other < state.cells.size(); ++other) {
+      cells::append_contacts(image, state.cells[c].first_node, boxes_[other], state.cells[other].first_node,
+                             membrane_range * state.spacing, -1, contacts_);
     }
   }
 
@@ -76,16 +100,19 @@ class Contacts : public Effect {
 
   std::vector<cells::LinkBoxes> boxes_;
   std::vector<cells::Contact> contacts_;
+  std::vector<double> image_x_, image_y_;
 };
 
 }  // namespace
 
-const EffectKind contact{
-    "contact",
-    Stage::forces,
-    true,
-    [](const Case& scene) { return needs_cells(scene, "a cell can come near walls and membranes"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contacts>(); },
-    has_membranes};
+const EffectKind contact{"contact",
+                         Stage::forces,
+                         true,
+                         [](const Case& scene) {
+                           return of_accurate_scheme(
+                               scene, needs_cells(scene, "a cell can come near walls and membranes"));
+                         },
+                         [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contacts>(); },
+                         has_membranes};
 
 }  // namespace rouleau::effects

@@ -51,6 +51,8 @@ Need needs_cells(const Case& scene, std::string reason);
 bool has_membranes(const State& state);
 /// Called for by the published scheme (preset `paper`) alone.
 Need of_published_scheme(const Case& scene, std::string reason);
+/// `need` in the published scheme, and nowhere else.
+Need of_published_scheme(const Case& scene, Need need);
 /// `need`, except in the published scheme, which does without.
 Need of_accurate_scheme(const Case& scene, Need need);
 

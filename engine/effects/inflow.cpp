@@ -23,9 +23,10 @@ class Inflow : public Effect {
     const double d0 = state.spacing;
     const double height = state.outline.height();
     const bool plug = state.scene.inflow.profile == Profile::plug;
+    const double plug_velocity = starts_as_published(state.scene) ? 1 : height / (height - d0);
     for (int k = 1; k <= state.rows(); ++k) {
       const double y = state.row_y(k);
-      const double velocity = plug ? height / (height - d0) : state.parabola(y / height);
+      const double velocity = plug ? plug_velocity : state.parabola(y / height);
       const Lane lane{y, velocity,
                       velocity * waveform_factor(state.scene.inflow, state.time * state.scales.time()),
                       state.row_offset(k) - 0.5 * d0};

@@ -46,7 +46,9 @@ class MembraneClearance : public Effect {
         const int a = cell.first_node + from;
         const int b = cell.first_node + (from + 1) % cell.nodes;
         const double ex = state.next_x[b] - state.next_x[a], ey = state.next_y[b] - state.next_y[a];
-        const double px = x - state.next_x[a], py = y - state.next_y[a];
+        double px = x - state.next_x[a], py = y - state.next_y[a];
+        px -= state.periods_x(px);
+        py -= state.periods_y(py);
         const double s = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
         const double dx = px - s * ex, dy = py - s * ey;
         const double distance = std::hypot(dx, dy);
@@ -69,7 +71,9 @@ const EffectKind membrane_clearance{
     "membrane_clearance",
     Stage::motion,
     true,
-    [](const Case& scene) { return needs_cells(scene, "fluid must not crowd onto a membrane"); },
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, needs_cells(scene, "fluid must not crowd onto a membrane"));
+    },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneClearance>(); },
     has_membranes};
 

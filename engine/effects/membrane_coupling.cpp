@@ -261,7 +261,9 @@ const EffectKind membrane_coupling{
     "membrane_coupling",
     Stage::forces,
     false,
-    [](const Case& scene) { return needs_cells(scene, "the fluid feels the membranes' forces"); },
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, needs_cells(scene, "the fluid feels the membranes' forces"));
+    },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneCoupling>(); },
     has_membranes};
 

@@ -14,12 +14,20 @@ class MembraneSides : public Effect {
   void apply(State& state) override {
     const auto& particles = state.particles;
     for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {
-      for (const int c : cells_nearby(state, i)) {
+      for (const int node : nodes_nearby(state, i)) {
+        const int c = particles.cell[node];
         const bool belongs = particles.cell[i] == c;
         const cells::Ring ring = state.ring(state.cells[c]);
-        if (cells::contains(ring, particles.x[i], particles.y[i]) == belongs) continue;
-        put_back(state, i, ring, belongs ? -1 : 1);
-        if (cells::contains(ring, particles.x[i], particles.y[i]) != belongs) {
+        // Where the cell is the particle is looked for, too.
+        const double away_x = state.periods_x(particles.x[i] - particles.x[node]);
+        const double away_y = state.periods_y(particles.y[i] - particles.y[node]);
+        const double x = particles.x[i] - away_x, y = particles.y[i] - away_y;
+        if (cells::contains(ring, x, y) == belongs) continue;
+        const cells::Nearest link = cells::nearest(ring, x, y);
+        const double behind = (belongs ? -1 : 1) * return_depth * state.spacing;
+        state.particles.x[i] = link.x + behind * link.nx + away_x;
+        state.particles.y[i] = link.y + behind * link.ny + away_y;
+        if (cells::contains(ring, particles.x[i] - away_x, particles.y[i] - away_y) != belongs) {
           throw breach_at(state, i, {"particles on the wrong side of a membrane", 1, 0});
         }
         ++state.counters.wrong_side;
@@ -28,23 +36,18 @@ class MembraneSides : public Effect {
   }
 
  private:
-  /// Cells with a node among the particle's neighbours: nothing crosses a membrane that it was not near.
-  static std::vector<int> cells_nearby(const State& state, int i) {
+  /// One node of each cell that has some among the particle's neighbours: nothing crosses a membrane that it
+  /// was not near.
+  static std::vector<int> nodes_nearby(const State& state, int i) {
     const auto& list = state.neighbours;
     std::vector<int> found;
     for (int k = list.begin(i); k < list.end(i); ++k) {
-      if (list.j[k] >= state.particles.membrane_end()) continue;
-      const int c = state.particles.cell[list.j[k]];
-      if (found.empty() || found.back() != c) found.push_back(c);
+      const int node = list.j[k];
+      if (node >= state.particles.membrane_end()) continue;
+      const auto& cell = state.particles.cell;
+      if (found.empty() || cell[found.back()] != cell[node]) found.push_back(node);
     }
     return found;
-  }
-
-  static void put_back(State& state, int i, cells::Ring ring, double outward) {
-    auto& particles = state.particles;
-    const cells::Nearest link = cells::nearest(ring, particles.x[i], particles.y[i]);
-    particles.x[i] = link.x + outward * return_depth * state.spacing * link.nx;
-    particles.y[i] = link.y + outward * return_depth * state.spacing * link.ny;
   }
 };
 
@@ -54,7 +57,9 @@ const EffectKind membrane_sides{
     "membrane_sides",
     Stage::motion,
     false,
-    [](const Case& scene) { return needs_cells(scene, "a membrane lets no fluid through"); },
+    [](const Case& scene) {
+      return of_accurate_scheme(scene, needs_cells(scene, "a membrane lets no fluid through"));
+    },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneSides>(); },
     has_membranes};
 

@@ -11,7 +11,7 @@ constexpr double width = 5;  // spacings
 class PressureCoarseSpace : public Effect {
  public:
   explicit PressureCoarseSpace(const State& state)
-      : grid_(width * state.spacing, state.neighbours.period_x() > 0, state.neighbours.period_y() > 0) {}
+      : grid_(width * state.spacing, state.outline.period_x(), state.outline.period_y()) {}
 
   void apply(State& state) override {
     const auto& particles = state.particles;

@@ -23,8 +23,7 @@ double weight(double q) {
 class PressureRotational : public Effect {
  public:
   explicit PressureRotational(const State& state)
-      : aggregates_(aggregate_width * state.spacing, state.neighbours.period_x() > 0,
-                    state.neighbours.period_y() > 0) {
+      : aggregates_(aggregate_width * state.spacing, state.outline.period_x(), state.outline.period_y()) {
     double lambda = 0;
     const double reach = state.near_radius / state.spacing;
     for (int a = -4; a <= 4; ++a) {

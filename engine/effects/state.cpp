@@ -47,6 +47,7 @@ double State::row_y(int k) const {
 }
 
 double State::row_offset(int k) const {
+  if (starts_as_published(scene)) return 0;
   return (std::fmod(0.618034 * k, 1.0) - 0.5) * spacing;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -33,11 +34,14 @@ struct CellState {
   cells::Material material;
   int start_nodes = 0;             ///< how many it had at first
   std::int64_t first_id = 0;       ///< of the first of them; the others follow
-  double start_area = 0;           ///< enclosed area that it keeps
+  double start_area = 0;           ///< enclosed area that it keeps; while it deflates, the present one
   double start_inertia_nodes = 0;  ///< what tau refers to (eq. 23)
   double start_inertia_area = 0;
   double start_perimeter = 0;
   double start_phase = 0;                ///< of tank-treading, degrees
+  double circle_area = 0;                ///< of a cell that deflates: its area at the start
+  int circle_particles = 0;              ///< and how many particles it enclosed then
+  double area_rate = 0;                  ///< divergence inside by which its area changes as it is to
   double presence = 1;                   ///< by how much its membrane is felt; sinks to 0 before an outlet
   std::optional<Departure> departure{};  ///< once it has left
 };
@@ -133,12 +137,17 @@ struct State {
 
   Counters counters;
 
+  /// Its nodes are contiguous in space: of a periodic vessel some may lie beyond the ends.
   cells::Ring ring(const CellState& cell) const;
+  /// The whole periods in a difference of positions: without them it is that of the nearest images.
+  double periods_x(double dx) const { return whole_periods(dx, outline.period_x()); }
+  double periods_y(double dy) const { return whole_periods(dy, outline.period_y()); }
   /// Particles side by side over a width, those on the walls not counted.
   int rows_across(double width) const;
   /// Where row k of the particles across the vessel (1 to rows) is, and by how much it is displaced along
   /// x against its neighbours (-0.5 to 0.5 spacings, by the golden ratio), so that no column crosses the
-  /// inlet or the outlet at once.
+  /// inlet or the outlet at once. None with cells in the published scheme, which takes the number
+  /// density of displaced rows for a source: it drives a cell off the axis.
   int rows() const;
   double row_y(int k) const;
   double row_offset(int k) const;
@@ -146,6 +155,11 @@ struct State {
   operators::SamplingPlane plane_at(double x) const;
   /// The developed flow of mean 1, at a fraction of the way across.
   static double parabola(double fraction) { return 6 * fraction * (1 - fraction); }
+
+ private:
+  static double whole_periods(double difference, double period) {
+    return period > 0 ? period * std::round(difference / period) : 0;
+  }
 };
 
 }  // namespace rouleau::effects

@@ -20,8 +20,7 @@ constexpr double aggregate_width = 5;  // spacings
 class ViscosityImplicit : public Effect {
  public:
   explicit ViscosityImplicit(const State& state)
-      : aggregates_(aggregate_width * state.spacing, state.neighbours.period_x() > 0,
-                    state.neighbours.period_y() > 0) {}
+      : aggregates_(aggregate_width * state.spacing, state.outline.period_x(), state.outline.period_y()) {}
 
   void apply(State& state) override {
     assemble(state);

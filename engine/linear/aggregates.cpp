@@ -16,15 +16,20 @@ int folded(int cell, int cells) {
 }  // namespace
 
 int GridAggregates::Side::cell(double at) const {
+  if (period > 0) at -= period * std::floor(at / period);
   const double place = (at - low) * per_width;
   return place > 0 ? static_cast<int>(std::min(place, cells - 1.0)) : 0;
 }
 
-GridAggregates::Side GridAggregates::side(std::span<const double> at) const {
+GridAggregates::Side GridAggregates::side(std::span<const double> at, double period) const {
+  if (period > 0) {
+    const double cells = std::max(1.0, std::round(period / width_));
+    return {0, cells / period, static_cast<int>(cells), period};
+  }
   const auto [low, high] = std::minmax_element(at.begin(), at.end());
   const double cells = std::round((*high - *low) / width_);
   if (!(cells > 1 && cells <= static_cast<double>(at.size()))) return {};
-  return {*low, cells / (*high - *low), static_cast<int>(cells)};
+  return {*low, cells / (*high - *low), static_cast<int>(cells), 0};
 }
 
 const Aggregates& GridAggregates::build(std::span<const double> x, std::span<const double> y) {
@@ -33,14 +38,14 @@ const Aggregates& GridAggregates::build(std::span<const double> x, std::span<con
   aggregates_.count = 0;
   aggregates_.bandwidth = 0;
   if (n == 0) return aggregates_;
-  Side along_x = side(x), along_y = side(y);
+  Side along_x = side(x, period_x_), along_y = side(y, period_y_);
   // More cells than points are of a run gone wrong: then one cell will do.
   if (static_cast<double>(along_x.cells) * along_y.cells > static_cast<double>(n)) along_x = along_y = {};
   const bool x_is_longer = along_x.cells >= along_y.cells;
   const Side& longer = x_is_longer ? along_x : along_y;
   const Side& shorter = x_is_longer ? along_y : along_x;
-  const bool fold = x_is_longer ? periodic_x_ : periodic_y_;
-  const bool shorter_wraps = x_is_longer ? periodic_y_ : periodic_x_;
+  const bool fold = longer.period > 0;
+  const bool shorter_wraps = shorter.period > 0;
   const auto& place_along = x_is_longer ? x : y;
   const auto& place_across = x_is_longer ? y : x;
 

@@ -13,14 +13,14 @@ struct Aggregates {
   int bandwidth = 0;
 };
 
-/// Aggregates of points by the cells of a square grid over their bounding box, empty cells left out, numbered
-/// along the shorter side first.
+/// Aggregates of points by the cells of a square grid over their bounding box, in a periodic direction over
+/// the period, empty cells left out, numbered along the shorter side first.
 class GridAggregates {
  public:
   /// @param width  of a cell, at least the reach of a coupling; adjusted to divide the box
-  /// @param periodic_x, periodic_y  whether rows are coupled across the box's ends
-  GridAggregates(double width, bool periodic_x, bool periodic_y)
-      : width_(width), periodic_x_(periodic_x), periodic_y_(periodic_y) {}
+  /// @param period_x, period_y  0: not periodic
+  GridAggregates(double width, double period_x, double period_y)
+      : width_(width), period_x_(period_x), period_y_(period_y) {}
 
   const Aggregates& build(std::span<const double> x, std::span<const double> y);
 
@@ -29,12 +29,13 @@ class GridAggregates {
     double low = 0;
     double per_width = 0;
     int cells = 1;
+    double period = 0;
     int cell(double at) const;
   };
-  Side side(std::span<const double> at) const;
+  Side side(std::span<const double> at, double period) const;
 
   double width_;
-  bool periodic_x_, periodic_y_;
+  double period_x_, period_y_;
   std::vector<int> number_;  ///< of a cell
   Aggregates aggregates_;
 };

@@ -75,10 +75,6 @@ double fastest_expected(const effects::State& state) {
 }  // namespace
 
 void check_effects(const Case& scene, std::vector<Fault>& faults) {
-  if (scene.numerics.preset == Preset::paper && !scene.cells.empty()) {
-    faults.push_back(
-        {"/cells", "preset paper carries plasma alone; leave the cells out or use another preset"});
-  }
   const auto& kinds = effects::catalogue();
   for (const auto& entry : scene.effects) {
     const std::string& name = entry.first;

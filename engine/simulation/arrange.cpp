@@ -21,6 +21,7 @@ using particles::Group;
 // In spacings: how near to a wall and to a membrane fluid is put.
 constexpr double wall_gap = 0.55;
 constexpr double membrane_gap = 0.5;
+constexpr double published_membrane_gap = 0.6;  // nearer ones are shot off by their number density (eq. 7)
 constexpr int ghost_layers = 3;
 constexpr double wall_extension = 8;
 
@@ -42,7 +43,11 @@ CellState place_cell(State& state, const RedCell& cell, int index) {
   placed.nodes = static_cast<int>(std::lround(std::numbers::pi * diameter / state.spacing));
   placed.material = {cell.stretch_modulus / scales.tension(), cell.bend_modulus / scales.bending(),
                      std::numbers::pi * diameter / placed.nodes};
-  const double area = cell.fill * std::numbers::pi * diameter * diameter / 4;
+  // Eq. 10 knows no crushing.
+  if (state.scene.numerics.preset == Preset::paper) placed.material.crush_stiffening = 0;
+  const double circle = std::numbers::pi * diameter * diameter / 4;
+  if (deflates(cell)) placed.circle_area = circle;
+  const double area = (cell.shape == CellShape::circle ? 1 : cell.fill) * circle;
   const cells::RestShape shape = find_rest_shape(placed, area, index);
   const double angle = cell.angle * std::numbers::pi / 180;
   for (int q = 0; q < placed.nodes; ++q) {
@@ -53,13 +58,29 @@ CellState place_cell(State& state, const RedCell& cell, int index) {
   return placed;
 }
 
+/// A place and, in a periodic vessel, its images next to it.
+std::vector<geometry::Point> images(const State& state, double x, double y) {
+  const double px = state.outline.period_x(), py = state.outline.period_y();
+  std::vector<geometry::Point> found;
+  for (const double a : px > 0 ? std::vector{-px, 0.0, px} : std::vector{0.0}) {
+    for (const double b : py > 0 ? std::vector{-py, 0.0, py} : std::vector{0.0}) {
+      found.push_back({x + a, y + b});
+    }
+  }
+  return found;
+}
+
 /// The cell that a place lies in (-1: none), or nothing if a membrane is too near.
 bool free_place(const State& state, double x, double y, int& cell) {
   cell = -1;
+  const bool published = state.scene.numerics.preset == Preset::paper;
+  const double gap = (published ? published_membrane_gap : membrane_gap) * state.spacing;
   for (std::size_t c = 0; c < state.cells.size(); ++c) {
     const cells::Ring ring = state.ring(state.cells[c]);
-    if (cells::nearest(ring, x, y).distance < membrane_gap * state.spacing) return false;
-    if (cells::contains(ring, x, y)) cell = static_cast<int>(c);
+    for (const auto& [image_x, image_y] : images(state, x, y)) {
+      if (cells::nearest(ring, image_x, image_y).distance < gap) return false;
+      if (cells::contains(ring, image_x, image_y)) cell = static_cast<int>(c);
+    }
   }
   return state.outline.contains(x, y) && state.outline.distance(x, y).value >= wall_gap * state.spacing;
 }
@@ -139,6 +160,7 @@ void place_fluid(State& state) {
       state.particles.u[i] = u;
       state.particles.v[i] = v;
       state.particles.p[i] = initial.pressure(x, y);
+      if (cell >= 0) ++state.cells[cell].circle_particles;
     }
   }
 }

@@ -64,9 +64,11 @@ void visit(Stream& stream, Departure& departure) {
 template <class Stream>
 void visit(Stream& stream, CellState& cell) {
   auto& [first_node, nodes, material, start_nodes, first_id, start_area, start_inertia_nodes,
-         start_inertia_area, start_perimeter, start_phase, presence, departure] = cell;
+         start_inertia_area, start_perimeter, start_phase, circle_area, circle_particles, area_rate, presence,
+         departure] = cell;
   stream(first_node, nodes, material, start_nodes, first_id, start_area, start_inertia_nodes,
-         start_inertia_area, start_perimeter, start_phase, presence, departure);
+         start_inertia_area, start_perimeter, start_phase, circle_area, circle_particles, area_rate, presence,
+         departure);
 }
 
 template <class Stream>

@@ -92,7 +92,7 @@ void conjugate_gradients(benchmark::State& state) {
     matrix.end_row(near);
   }
   const auto rows = static_cast<std::size_t>(n);
-  linear::GridAggregates grid(5 * spacing, false, false);
+  linear::GridAggregates grid(5 * spacing, 0, 0);
   const auto& aggregates = grid.build({vessel.particles.x.data(), rows}, {vessel.particles.y.data(), rows});
   std::vector<double> right(rows), x(rows);
   for (std::size_t i = 0; i < rows; ++i) right[i] = static_cast<double>(i % 7) - 3;

@@ -26,6 +26,25 @@ TEST(PublishedScheme, CarriesTheParabolaAndKeepsItsParticles) {
   for (const double n : particles) EXPECT_NEAR(n, particles.front(), 0.01 * particles.front());
 }
 
+// Section 3.1 without a thrombus, the first 200 steps; the study's 9 ms are in docs/numerics.md.
+TEST(PublishedScheme, CarriesACellAlongTheAxis) {
+  Case scene = published_vessel(1e-4);
+  RedCell cell;
+  cell.x = 16e-6;
+  cell.y = 5e-6;
+  scene.cells.push_back(cell);
+  scene.effects["pressure_coarse_space"] = Switch::on;
+  const RecordedRun run(scene);
+  EXPECT_EQ(run.summary.ending, Ending::completed);
+  EXPECT_NEAR(run.column("cell0.y").back(), 5e-6, 1e-9);
+  // Faster than the mean of the flow, slower than its axis.
+  EXPECT_GT(run.column("cell0.u").back(), 0.005);
+  EXPECT_LT(run.column("cell0.u").back(), 0.0075);
+  // Forced one by one the nodes sink into their fluid at once, by 6 % of the area, and then hold.
+  EXPECT_LE(run.summary.cells[0].area_deviation, 0.08);
+  EXPECT_NEAR(run.column("cell0.tau").back(), 1, 0.01);
+}
+
 TEST(PublishedScheme, PlainGradientsGiveTheSameInManyMoreIterations) {
   Case scene = published_vessel(1e-5);
   const RecordedRun plain(scene);

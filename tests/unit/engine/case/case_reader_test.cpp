@@ -60,7 +60,7 @@ TEST(CaseReader, ReadsEveryKey) {
     "outflow": {"pressure": -3}, "initial": {"flow": "rest"},
     "thrombi": [{"wall": "upper", "x": 5e-5, "radius": 4e-6}],
     "cells": [{"x": 2e-5, "y": 8e-6, "diameter": 7e-6, "fill": 0.6, "angle": -30, "stretch_modulus": 2e-5,
-               "bend_modulus": 1e-18, "viscosity_ratio": 1, "shape": "rest"}],
+               "bend_modulus": 1e-18, "viscosity_ratio": 1, "shape": "circle"}],
     "effects": {"bending": "off", "contact": "auto", "x1_y": "on"},
     "numerics": {"preset": "draft", "spacing": 6e-7, "time_step": 1e-6, "kernel_radius": 2.6,
                  "viscosity": "implicit", "pressure_tolerance": 1e-3, "threads": 1},
@@ -75,6 +75,7 @@ TEST(CaseReader, ReadsEveryKey) {
   EXPECT_EQ(read.thrombi.at(0).radius, 4e-6);
   EXPECT_EQ(read.cells.at(0).fill, 0.6);
   EXPECT_EQ(read.cells.at(0).angle, -30);
+  EXPECT_EQ(read.cells.at(0).shape, CellShape::circle);
   EXPECT_EQ(read.cells.at(0).bend_modulus, 1e-18);
   EXPECT_EQ(read.effects.at("bending"), Switch::off);
   EXPECT_EQ(read.effects.at("contact"), Switch::automatic);
@@ -162,7 +163,7 @@ TEST(CaseReader, RefusesValuesOutOfRange) {
   refused("/cells/0/stretch_modulus", 0, "(N/m)");
   refused("/cells/0/bend_modulus", 0, "(J)");
   refused("/cells/0/viscosity_ratio", 60, "at most 50");
-  refused("/cells/0/shape", "circle", "only \"rest\"");
+  refused("/cells/0/shape", "square", "one of rest, circle");
   refused("/effects/bending", "yes", "one of auto, on, off");
   refused("/effects/bending", true, "one of auto, on, off");
   refused("/effects/Bending", "on", "lower-case words");

@@ -75,12 +75,28 @@ TEST(PartChecks, TwoPressuresNeedTwoOutlets) {
               ElementsAre(3, 3));
 }
 
-TEST(PartChecks, APeriodicVesselTakesNoCellsYet) {
+TEST(PartChecks, EveryVesselTakesCells) {
   const json cells = {{{"x", 10e-6}, {"y", 5e-6}}};
-  expect_only_fault(with(periodic_case(), "/cells", cells), "/cells", "takes no cells yet");
-  expect_only_fault(with(periodic_box(), "/cells", cells), "/cells", "takes no cells yet");
+  expect_sound(with(periodic_case(), "/cells", cells));
+  expect_sound(with(periodic_box(), "/cells", cells));
   expect_sound(with(box_case(), "/cells", cells));
-  expect_sound(with(periodic_case(), "/cells", json::array()));
+}
+
+TEST(PartChecks, ACellDeflatesWhereItsFluidCanLeave) {
+  const json circle = {{{"x", 10e-6}, {"y", 5e-6}, {"shape", "circle"}}};
+  EXPECT_EQ(read_case(with(minimal_case(), "/cells", circle)).cells.at(0).shape, CellShape::circle);
+  for (const json& tight : {box_case(), periodic_case()}) {
+    expect_only_fault(with(tight, "/cells", circle), "/cells/0/shape", "cannot leave");
+    expect_sound(with(with(tight, "/cells", circle), "/cells/0/fill", 1));
+  }
+}
+
+TEST(PartChecks, ThePaperPresetKnowsNeitherCirclesNorViscousCells) {
+  json document = with(paper_case(), "/cells", {{{"x", 10e-6}, {"y", 5e-6}}});
+  expect_sound(document);
+  expect_only_fault(with(document, "/cells/0/shape", "circle"), "/cells/0/shape", "start relaxed");
+  expect_only_fault(with(document, "/cells/0/viscosity_ratio", 5), "/cells/0/viscosity_ratio",
+                    "as viscous as plasma");
 }
 
 TEST(PartChecks, ThrombiSitOnWalls) {

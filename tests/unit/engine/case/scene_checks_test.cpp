@@ -111,6 +111,37 @@ TEST(SceneChecks, CellsDoNotOverlap) {
               ElementsAre("/cells/2"));
 }
 
+std::vector<Fault> in_periodic_vessel(const std::vector<json>& cells) {
+  return faults_of(with(periodic_case(), "/cells", cells));
+}
+
+TEST(SceneChecks, ACellMayLieAcrossTheSeamOfAPeriodicVessel) {
+  EXPECT_THAT(in_periodic_vessel({cell(0, 5e-6, 0)}), ElementsAre());
+  EXPECT_THAT(in_periodic_vessel({cell(19e-6, 5e-6)}), ElementsAre());
+  EXPECT_THAT(in_periodic_vessel({cell(21e-6, 5e-6)}).at(0).message, HasSubstr("lies outside the vessel"));
+  EXPECT_THAT(in_periodic_vessel({cell(0, 4e-6)}).at(0).message, HasSubstr("beyond the lower wall"));
+}
+
+TEST(SceneChecks, CellsDoNotOverlapAcrossASeam) {
+  EXPECT_THAT(in_periodic_vessel({cell(1e-6, 5e-6), cell(18e-6, 5e-6)}), ElementsAre());
+  const auto pair = in_periodic_vessel({cell(1e-6, 5e-6), cell(19e-6, 5e-6)});
+  ASSERT_THAT(pointers(pair), ElementsAre("/cells/1"));
+  EXPECT_THAT(pair[0].message, HasSubstr("overlaps cell 0"));
+  json document = with(periodic_case(), "/cells", json::array({cell(4e-6, 5e-6, 0)}));
+  document["vessel"]["length"] = 8.8e-6;
+  EXPECT_THAT(faults_of(document), ElementsAre());
+  document["vessel"]["length"] = 8.6e-6;
+  EXPECT_THAT(faults_of(document).at(0).message, HasSubstr("overlaps its own image"));
+}
+
+TEST(SceneChecks, ACellLiesOutsideThrombiAcrossASeam) {
+  json document = with(periodic_case(), "/cells", json::array({cell(19.9e-6, 8e-6, 0)}));
+  document["thrombi"] = {thrombus("lower", 4.5e-6, 3.2e-6)};
+  EXPECT_THAT(faults_of(document), ElementsAre());
+  document["cells"][0]["y"] = 2e-6;
+  EXPECT_THAT(faults_of(document).at(0).message, HasSubstr("into thrombus 0"));
+}
+
 TEST(SceneChecks, ACellIsThickEnoughToBeResolved) {
   json small = cell(16e-6, 5e-6);
   small["diameter"] = 3.2e-6;

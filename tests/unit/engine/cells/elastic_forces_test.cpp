@@ -83,6 +83,48 @@ INSTANTIATE_TEST_SUITE_P(Cells, ElasticForces,
                                          Energy{"Bending", bending_energy, add_bending_forces}),
                          [](const auto& instance) { return instance.param.name; });
 
+/// Links of one length that turn by 120 degrees at nodes 0 and 2, on the x axis, and by 60 at the others.
+Nodes rhombus(double link) {
+  const double half_length = link * std::sqrt(3.0) / 2.0;
+  return {{half_length, 0.0, -half_length, 0.0}, {0.0, link / 2.0, 0.0, -link / 2.0}};
+}
+
+TEST(PrintedBending, HasTheForcesOfEquationElevenHoweverLongTheLinks) {
+  const double rest = material.rest_length, spring = 2.0 * material.bend_modulus / (rest * rest);
+  for (const double link : {1.0, 3.0}) {
+    const Nodes nodes = rhombus(link * rest);
+    Nodes printed{std::vector<double>(4, 0.0), std::vector<double>(4, 0.0)}, conservative = printed;
+    add_printed_bending_forces(nodes.ring(), material, printed.x, printed.y);
+    add_bending_forces(nodes.ring(), material, conservative.x, conservative.y);
+    // The links' outward normals at node 0 are 60 degrees off the x axis and add up to one along it.
+    EXPECT_NEAR(printed.x[0], -spring * (std::sqrt(3.0) - 1.0 / std::sqrt(3.0)), 1e-12);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(printed.x[i], link * conservative.x[i], 1e-12);
+      EXPECT_NEAR(printed.y[i], link * conservative.y[i], 1e-12);
+    }
+  }
+}
+
+TEST(PrintedBending, AddsUpToNoForceButToATorque) {
+  double largest_torque = 0.0;
+  for (std::uint32_t seed = 0; seed < 50; ++seed) {
+    const Nodes nodes = random_ring(seed);
+    Nodes force{std::vector<double>(nodes.x.size(), 0.0), std::vector<double>(nodes.x.size(), 0.0)};
+    add_printed_bending_forces(nodes.ring(), material, force.x, force.y);
+    double fx = 0.0, fy = 0.0, torque = 0.0, scale = 0.0;
+    for (std::size_t i = 0; i < nodes.x.size(); ++i) {
+      fx += force.x[i];
+      fy += force.y[i];
+      torque += nodes.x[i] * force.y[i] - nodes.y[i] * force.x[i];
+      scale += std::hypot(force.x[i], force.y[i]);
+    }
+    EXPECT_NEAR(fx, 0.0, 1e-13 * scale);
+    EXPECT_NEAR(fy, 0.0, 1e-13 * scale);
+    largest_torque = std::max(largest_torque, std::fabs(torque) / scale);
+  }
+  EXPECT_GT(largest_torque, 1e-3);
+}
+
 TEST(LinkLaw, IsEquationTenUntilTheLinkIsCrushed) {
   EXPECT_DOUBLE_EQ(link_law(0.6, material).tension, 3.0 * 0.2);
   EXPECT_DOUBLE_EQ(link_law(0.45, material).tension, -3.0 * 0.1);

@@ -52,6 +52,9 @@ TEST(Catalogue, MembranesEffectsAreCalledForByCellsAlone) {
 TEST(Catalogue, EveryEffectIsForSomeScene) {
   Case published = coarse_vessel();
   published.numerics = preset_numerics(Preset::paper);
+  published.cells = coarse_vessel_with_cells().cells;
+  Case deflating = coarse_vessel_with_cells();
+  deflating.cells[0].shape = CellShape::circle;
   Case driven = coarse_vessel();
   driven.vessel.ends = Ends::periodic;
   driven.body_acceleration = {1, 0};
@@ -63,7 +66,7 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   lid.vessel.wall_velocity.upper = 1;
   for (const EffectKind* kind : catalogue()) {
     bool used = false;
-    for (const Case& scene : {coarse_vessel_with_cells(), published, driven, viscous, lid}) {
+    for (const Case& scene : {coarse_vessel_with_cells(), published, deflating, driven, viscous, lid}) {
       const Need need = kind->need(scene);
       used = used || need.called_for || need.on_request;
     }

@@ -94,5 +94,30 @@ TEST(Contact, BetweenCellsIsMutual) {
   EXPECT_EQ(state.counters.contact_steps, 1);
 }
 
+/// Two cells side by side in a periodic vessel.
+State pair_around(double x) {
+  Case scene = coarse_vessel_with_cells(2);
+  scene.vessel = {20e-6, 10e-6};
+  scene.vessel.ends = Ends::periodic;
+  scene.cells[0].x = x - 1.5e-6;
+  scene.cells[1].x = x + 1.5e-6;
+  if (scene.cells[0].x < 0) scene.cells[0].x += scene.vessel.length;
+  return prepared_state(scene);
+}
+
+TEST(Contact, ActsAcrossASeamAsInTheMiddle) {
+  State middle = pair_around(10e-6), across = pair_around(0);
+  for (State* state : {&middle, &across}) contact.make(*state)->apply(*state);
+  double strongest = 0;
+  for (std::size_t q = 0; q < middle.load.fx.size(); ++q)
+    strongest = std::max(strongest, std::abs(middle.load.fx[q]));
+  ASSERT_GT(strongest, 0);
+  ASSERT_EQ(middle.load.fx.size(), across.load.fx.size());
+  for (std::size_t q = 0; q < middle.load.fx.size(); ++q) {
+    EXPECT_NEAR(across.load.fx[q], middle.load.fx[q], 1e-9 * strongest);
+    EXPECT_NEAR(across.load.fy[q], middle.load.fy[q], 1e-9 * strongest);
+  }
+}
+
 }  // namespace
 }  // namespace rouleau::effects

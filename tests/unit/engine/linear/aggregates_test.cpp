@@ -57,7 +57,7 @@ const auto everywhere = [](int, int) { return true; };
 TEST(GridAggregates, OfAVesselHaveABandOfItsWidth) {
   for (const auto& [width, height] : {std::pair{100, 20}, {20, 100}}) {
     const Points points = lattice(width, height, everywhere);
-    GridAggregates grid(5, false, false);
+    GridAggregates grid(5, 0, 0);
     const Aggregates& found = grid.build(points.x, points.y);
     expect_usable(points, found, 0, 0);
     EXPECT_EQ(found.count, 80);
@@ -67,20 +67,20 @@ TEST(GridAggregates, OfAVesselHaveABandOfItsWidth) {
 
 TEST(GridAggregates, OfAPeriodicVesselHaveTwiceThatBand) {
   const Points points = lattice(100, 20, everywhere);
-  GridAggregates grid(5, true, false);
+  GridAggregates grid(5, 100, 0);
   const Aggregates& found = grid.build(points.x, points.y);
   expect_usable(points, found, 100, 0);
   EXPECT_LE(found.bandwidth, 9);
-  GridAggregates both(5, true, true);
+  GridAggregates both(5, 100, 20);
   expect_usable(points, both.build(points.x, points.y), 100, 20);
-  GridAggregates across(5, false, true);
+  GridAggregates across(5, 0, 20);
   expect_usable(points, across.build(points.x, points.y), 0, 20);
 }
 
 TEST(GridAggregates, LeaveOutCellsWithoutPoints) {
   const Points fork = lattice(
       90, 60, [](int a, int b) { return a < 30 ? b > 20 && b < 40 : std::abs(b - 30) > (a - 30) / 3; });
-  GridAggregates grid(5, false, false);
+  GridAggregates grid(5, 0, 0);
   const Aggregates& found = grid.build(fork.x, fork.y);
   expect_usable(fork, found, 0, 0);
   EXPECT_LT(found.count, 18 * 12);
@@ -91,7 +91,7 @@ TEST(GridAggregates, StrayPointsCostNoSpace) {
   points.x[3] = 1e9;
   points.y[4] = std::numeric_limits<double>::quiet_NaN();
   points.y[5] = std::numeric_limits<double>::infinity();
-  GridAggregates grid(5, false, false);
+  GridAggregates grid(5, 0, 0);
   const Aggregates& found = grid.build(points.x, points.y);
   EXPECT_GE(found.count, 1);
   EXPECT_LE(found.count, 100);

@@ -145,7 +145,7 @@ TEST(TwoLevelCg, SolvesAClosedBoxButForAConstant) {
     x.push_back(i / side);
     y.push_back(i % side);
   }
-  GridAggregates grid(5, false, false);
+  GridAggregates grid(5, 0, 0);
   TwoLevelCg solver;
   solver.prepare(rows, grid.build(x, y), Constants::ignored);
   std::srand(5);

@@ -140,11 +140,22 @@ TEST(Plan, NeitherSchemeCarriesTheOthersEffects) {
             (std::set<std::string>{"/effects/pressure_coarse_space", "/effects/viscosity_substeps"}));
 }
 
-TEST(Plan, ThePublishedSchemeHasNoCellsYet) {
+TEST(Plan, ThePublishedSchemeHasAMembraneOfItsOwn) {
   Case scene = coarse_vessel_with_cells();
   scene.numerics = preset_numerics(Preset::paper);
   scene.numerics.spacing = 1e-6;
-  EXPECT_EQ(pointers_of_faults(scene), (std::set<std::string>{"/cells"}));
+  const Plan plan = make_plan(scene);
+  const auto names = running(plan);
+  EXPECT_THAT(names, testing::IsSupersetOf({"stretch", "printed_bending", "direct_forces"}));
+  for (const char* accurate :
+       {"bending", "contact", "membrane_coupling", "membrane_clearance", "membrane_sides", "area_control"}) {
+    EXPECT_FALSE(effect(plan, accurate).on) << accurate;
+    EXPECT_EQ(effect(plan, accurate).pointer, "/numerics/preset") << accurate;
+  }
+  for (const char* published : {"printed_bending", "direct_forces"}) {
+    EXPECT_FALSE(effect(make_plan(published_vessel()), published).on) << published;
+    EXPECT_FALSE(effect(make_plan(coarse_vessel_with_cells()), published).on) << published;
+  }
 }
 
 TEST(Plan, SpacingFitsTheDiameter) {
