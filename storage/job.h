@@ -50,10 +50,17 @@ struct Job {
   std::optional<TimeMs> not_before;          ///< a queued job is left alone until then
   std::optional<std::string> progress;       ///< JSON, last known
   std::string plan;                          ///< JSON
-  std::optional<std::string> summary;        ///< JSON, once succeeded
+  std::optional<std::string> summary;        ///< JSON, once there is a result
   std::optional<std::string> error;          ///< JSON, once failed
-  std::optional<std::int64_t> archive_size;  ///< bytes, once succeeded
+  std::optional<std::int64_t> archive_size;  ///< bytes, once there is a result
   std::optional<std::string> archive_sha256;
+};
+
+/// What a run left behind.
+struct JobResult {
+  std::string summary;            ///< JSON
+  std::int64_t archive_size = 0;  ///< bytes
+  std::string archive_sha256;     ///< hex
 };
 
 struct CaseText {

@@ -26,6 +26,10 @@ inline constexpr const char* give_back =
     "  lease_owner = NULL, lease_until = NULL "
     "WHERE lease_owner IS NOT NULL AND ";
 
+/// What an attempt left behind; NULL where it is not bound.
+inline constexpr const char* result_columns =
+    "summary = :summary, archive_size = :size, archive_sha256 = :sha256";
+
 /// The end of an attempt by whoever still holds it. Binds :now, :id and :attempt.
 inline std::string end_attempt(const std::string& assignments,
                                const std::string& from = "'running', 'cancelling'") {

@@ -30,6 +30,12 @@ void bind_optional(Statement& statement, const char* name, const std::optional<T
   if (value) statement.bind(name, *value);
 }
 
+void bind_result(Statement& statement, const JobResult& result) {
+  statement.bind(":summary", result.summary);
+  statement.bind(":size", result.archive_size);
+  statement.bind(":sha256", result.archive_sha256);
+}
+
 std::filesystem::path made(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
@@ -169,26 +175,24 @@ Lease JobStore::renew(std::string_view id, int attempt, std::chrono::millisecond
   });
 }
 
-bool JobStore::succeed(std::string_view id, int attempt, const std::string& summary,
-                       std::int64_t archive_size, const std::string& archive_sha256) {
+bool JobStore::succeed(std::string_view id, int attempt, const JobResult& result) {
   return parts_->writer.run([&](Database& db) {
-    Statement update(db, end_attempt("state = 'succeeded', summary = :summary, archive_size = :size, "
-                                     "archive_sha256 = :sha256"));
+    Statement update(db, end_attempt(std::string("state = 'succeeded', ") + result_columns));
     bind_attempt(update, id, attempt);
     update.bind(":now", parts_->clock());
-    update.bind(":summary", summary);
-    update.bind(":size", archive_size);
-    update.bind(":sha256", archive_sha256);
+    bind_result(update, result);
     return update.exec() > 0;
   });
 }
 
-bool JobStore::fail(std::string_view id, int attempt, const std::string& error) {
+bool JobStore::fail(std::string_view id, int attempt, const std::string& error,
+                    const std::optional<JobResult>& result) {
   return parts_->writer.run([&](Database& db) {
-    Statement update(db, end_attempt("state = 'failed', error = :error"));
+    Statement update(db, end_attempt(std::string("state = 'failed', error = :error, ") + result_columns));
     bind_attempt(update, id, attempt);
     update.bind(":now", parts_->clock());
     update.bind(":error", error);
+    if (result) bind_result(update, *result);
     return update.exec() > 0;
   });
 }

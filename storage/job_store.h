@@ -59,9 +59,10 @@ class JobStore {
 
   /// These four end an attempt; false: it is no longer this worker's. A run that ends while its
   /// cancellation is on the way keeps the end that it came to.
-  bool succeed(std::string_view id, int attempt, const std::string& summary, std::int64_t archive_size,
-               const std::string& archive_sha256);
-  bool fail(std::string_view id, int attempt, const std::string& error);
+  bool succeed(std::string_view id, int attempt, const JobResult& result);
+  /// @param result  of a run that failed on its way
+  bool fail(std::string_view id, int attempt, const std::string& error,
+            const std::optional<JobResult>& result = {});
   bool mark_cancelled(std::string_view id, int attempt);
   /// Back to the queue, to be claimed no earlier than `not_before`; a job being cancelled is then cancelled.
   bool release(std::string_view id, int attempt, std::optional<TimeMs> not_before = {});

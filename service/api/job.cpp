@@ -96,8 +96,9 @@ storage::Job find_job(Service& service, const Call& call) {
 
 storage::Job find_finished(Service& service, const Call& call) {
   storage::Job job = find_job(service, call);
-  if (job.state != storage::JobState::succeeded) {
-    throw Problem(problems::not_finished, "the job is " + std::string(storage::to_string(job.state)));
+  if (!job.archive_size) {
+    const std::string is = "the job is " + std::string(storage::to_string(job.state));
+    throw Problem(problems::not_finished, storage::has_ended(job.state) ? is + " and left no archive" : is);
   }
   return job;
 }

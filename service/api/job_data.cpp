@@ -5,7 +5,7 @@
 namespace rouleau::service {
 
 JobData::JobData(Service& service, const storage::Job& job) {
-  if (job.state == storage::JobState::succeeded) {
+  if (job.archive_size) {
     archive_.emplace(archive_path(service.queue.archives(), job.id));
   } else {
     live_ = service.queue.live().find(job.id);

@@ -8,8 +8,8 @@
 
 namespace rouleau::service {
 
-/// What a job has computed so far: from memory while it runs, from its archive once it has succeeded, and
-/// nothing where there is neither.
+/// What a job has computed so far: from memory while it runs, from its archive once it has one, and nothing
+/// where there is neither.
 class JobData {
  public:
   JobData(Service& service, const storage::Job& job);

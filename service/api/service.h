@@ -34,7 +34,7 @@ void add_health(Router& router, const std::atomic<bool>& draining);  ///< /livez
 /// @throws Problem 404
 storage::Job find_job(Service& service, const Call& call);
 
-/// The same, once it has succeeded: its archive is there then.
+/// The same, once its archive is there: it has succeeded, or gone unstable on its way.
 /// @throws Problem 404, 409 not-finished
 storage::Job find_finished(Service& service, const Call& call);
 

@@ -48,7 +48,8 @@ int fetch(const ClientOptions& options, const std::string& id, const std::string
 }  // namespace
 
 void add_fetch(CLI::App& app, Action& action) {
-  auto* const command = app.add_subcommand("fetch", "Download the archive of a job that succeeded");
+  auto* const command =
+      app.add_subcommand("fetch", "Download the archive of a job that succeeded or went unstable");
   const auto options = std::make_shared<ClientOptions>();
   const auto id = std::make_shared<std::string>();
   const auto output = std::make_shared<std::string>();

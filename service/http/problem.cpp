@@ -31,9 +31,10 @@ const ProblemKind method_not_allowed{"method-not-allowed", 405, "Method not allo
                                      "This address does not take this method; `Allow` lists those it takes."};
 const ProblemKind request_timeout{"request-timeout", 408, "The request took too long",
                                   "The head or the body of the request did not arrive in time."};
-const ProblemKind not_finished{
-    "not-finished", 409, "The job has no archive yet",
-    "The archive is there once the job has succeeded. Wait for it with `GET /v1/jobs/{id}?wait=20s`."};
+const ProblemKind not_finished{"not-finished", 409, "The job has no archive",
+                               "The archive is there once the job has succeeded, or failed because its run "
+                               "went unstable. Wait for it with "
+                               "`GET /v1/jobs/{id}?wait=20s`."};
 const ProblemKind invalid_transition{"invalid-transition", 409, "Not possible in this state",
                                      "A job that has ended cannot be cancelled."};
 const ProblemKind length_required{

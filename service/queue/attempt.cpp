@@ -66,31 +66,38 @@ void Attempt::compute() {
   const Case resolved = read_case(claimed_.text.resolved);
   storage::ArchiveWriter writer(archive_, claimed_.text.given);
   FanOut output({&writer, live_.get()});
-  const RunSummary summary = run_case(resolved, output, live_->stop_token());
-  if (summary.ending == Ending::stopped) {
-    end_stopped();
-  } else {
-    publish(writer, summary);
+  try {
+    const RunSummary summary = run_case(resolved, output, live_->stop_token());
+    if (summary.ending == Ending::stopped) {
+      end_stopped();
+    } else {
+      publish(writer, summary);
+    }
+  } catch (const RunFailure& failure) {
+    publish(writer, failure.summary(), &failure);
   }
 }
 
-void Attempt::publish(storage::ArchiveWriter& writer, const RunSummary& summary) {
+void Attempt::publish(storage::ArchiveWriter& writer, const RunSummary& summary, const RunFailure* failure) {
   const auto lease = store_.renew(live_->id(), live_->attempt(), lease_time, progress_text(*live_));
   if (lease == storage::Lease::lost) {
     log::warn("lease lost, result dropped", {{"job", live_->id()}});
     return;
   }
   const storage::ArchiveFile file = writer.finish(summary);
-  has_archive_ = store_.succeed(live_->id(), live_->attempt(), dump(to_json(summary)),
-                                static_cast<std::int64_t>(file.size), file.sha256);
+  const storage::JobResult result{dump(to_json(summary)), static_cast<std::int64_t>(file.size), file.sha256};
+  has_archive_ = failure == nullptr
+                     ? store_.succeed(live_->id(), live_->attempt(), result)
+                     : store_.fail(live_->id(), live_->attempt(), dump(failure_of(*failure).error), result);
   if (has_archive_) {
+    if (failure != nullptr) return log_failed(*failure);
     log::info("job succeeded", {{"job", live_->id()},
                                 {"wall_time_s", std::to_string(summary.wall_time)},
                                 {"steps", std::to_string(summary.steps)}});
     return;
   }
   const auto job = store_.find(live_->id());
-  const bool owned_by_another = job && job->state == storage::JobState::succeeded;
+  const bool owned_by_another = job && job->archive_size;
   if (!owned_by_another) {
     std::filesystem::remove(archive_);
     std::filesystem::remove(storage::sidecar_path(archive_));
@@ -126,8 +133,13 @@ void Attempt::end_failed(const std::exception& error) {
     return;
   }
   store_.fail(live_->id(), live_->attempt(), dump(failure.error));
-  log::warn("job failed",
-            {{"job", live_->id()}, {"kind", std::string(to_string(failure.kind))}, {"error", error.what()}});
+  log_failed(error);
+}
+
+void Attempt::log_failed(const std::exception& error) const {
+  log::warn("job failed", {{"job", live_->id()},
+                           {"kind", std::string(to_string(failure_of(error).kind))},
+                           {"error", error.what()}});
 }
 
 }  // namespace rouleau::service

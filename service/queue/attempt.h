@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/simulation/run.h"
+#include "engine/simulation/run_failure.h"
 #include "service/queue/live_jobs.h"
 #include "storage/archive_writer.h"
 #include "storage/job_store.h"
@@ -19,7 +19,7 @@ inline constexpr std::chrono::milliseconds lease_time{10000};
 /// A job that was begun this often and never ended takes its server down with it; it is begun no more.
 inline constexpr int most_attempts = 20;
 
-/// Where the archive of a job lies once the job has succeeded.
+/// Where the archive of a job lies once the job has succeeded, or failed with one.
 std::filesystem::path archive_path(const std::filesystem::path& archives, std::string_view id);
 
 /// Removes what dead attempts left half written.
@@ -36,9 +36,12 @@ class Attempt {
 
  private:
   void compute();
-  void publish(storage::ArchiveWriter& writer, const RunSummary& summary);
+  /// @param failure  of a run that ended in one: what it came to is kept with it
+  void publish(storage::ArchiveWriter& writer, const RunSummary& summary,
+               const RunFailure* failure = nullptr);
   void end_stopped();
   void end_failed(const std::exception& error);
+  void log_failed(const std::exception& error) const;
 
   storage::JobStore& store_;
   LiveJobs& live_jobs_;

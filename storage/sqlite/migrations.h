@@ -18,7 +18,8 @@ struct Migration {
 const std::vector<Migration>& migrations();
 
 /// Applies what the database lacks, each step in an exclusive transaction that also records its number in
-/// `user_version`.
+/// `user_version`. A step may make a table anew: no foreign key is followed while steps are applied, and none
+/// may dangle after one.
 /// @throws StoreError if the database has steps that `known` lacks
 void migrate(SQLite::Database& database, const std::vector<Migration>& known = migrations());
 

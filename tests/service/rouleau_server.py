@@ -34,6 +34,20 @@ def endless(**changes):
     return plasma(**{"duration": 1, **changes})
 
 
+def unstable(**changes):
+    """Walls drag a limp cell apart until its membrane is five times as long: after some 500 short steps the run is given up."""
+    return plasma(**{
+        "duration": 3e-3,
+        "plasma": {"kinematic_viscosity": 1e-5},
+        "vessel": {"length": 20e-6, "diameter": 10e-6, "ends": "periodic", "wall_velocity": {"lower": -0.05, "upper": 0.05}},
+        "cells": [{"x": 10e-6, "y": 5e-6, "diameter": 6e-6, "fill": 1, "shape": "circle", "stretch_modulus": 1e-9,
+                   "bend_modulus": 1e-20}],
+        "probes": [{"name": "across", "from": [5e-6, 0], "to": [5e-6, 10e-6], "points": 3}],
+        "output": {"series_interval": 2e-5, "frame_interval": 1e-4},
+        **changes,
+    })
+
+
 class Answer:
     def __init__(self, response):
         self.status = response.status

@@ -39,8 +39,8 @@ export function downloads(id: string): { element: HTMLElement; update(job: Job):
   return {
     element,
     update(job) {
-      archive.hidden = job.state !== "succeeded";
-      series.hidden = !job.started_at || (hasEnded(job.state) && job.state !== "succeeded");
+      archive.hidden = !job.summary;
+      series.hidden = !job.started_at || (hasEnded(job.state) && archive.hidden);
       element.hidden = archive.hidden && series.hidden;
     },
   };

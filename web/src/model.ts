@@ -79,6 +79,7 @@ export interface Job {
   started_at?: string | null;
   ended_at?: string | null;
   progress?: Progress | null;
+  /** Of a run that came to an end of its own, a bad one too: then there is an archive. */
   summary?: Summary | null;
   error?: JobError | null;
   case?: Case;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "storage/archive_reader.h"
 #include "storage/sha256.h"
 
 namespace rouleau::service {
@@ -18,6 +19,14 @@ using storage::JobState;
 constexpr const char* short_case =
     R"({"version": 1, "vessel": {"length": 20e-6, "diameter": 10e-6}, "numerics": {"preset": "draft"},
         "duration": 5e-5})";
+
+/// A limp cell that walls drag apart until the particles inside cannot carry it, after some 300 steps.
+constexpr const char* unstable_case =
+    R"({"version": 1, "numerics": {"preset": "draft"}, "duration": 3e-3, "plasma": {"kinematic_viscosity": 1e-5},
+        "vessel": {"length": 20e-6, "diameter": 10e-6, "ends": "periodic",
+                   "wall_velocity": {"lower": -0.05, "upper": 0.05}},
+        "cells": [{"x": 10e-6, "y": 5e-6, "diameter": 6e-6, "fill": 1, "shape": "circle",
+                   "stretch_modulus": 1e-9, "bend_modulus": 1e-20}]})";
 
 /// A real store with one job in it.
 class AttemptAtAJob : public testing::Test {
@@ -106,6 +115,35 @@ TEST_F(AttemptAtAJob, FailsForGoodIfTheCaseCannotBePlanned) {
   begin().run();
   EXPECT_EQ(job().state, JobState::failed);
   EXPECT_EQ(nlohmann::json::parse(*job().error)["kind"], "case");
+  EXPECT_FALSE(has_files());
+}
+
+TEST_F(AttemptAtAJob, ThatGoesUnstableKeepsWhatItComputed) {
+  store_->request_cancel(id_);
+  id_ = submit(unstable_case);
+  begin().run();
+  const auto ended = job();
+  EXPECT_EQ(ended.state, JobState::failed);
+  const auto error = nlohmann::json::parse(*ended.error);
+  EXPECT_EQ(error["kind"], "engine");
+  EXPECT_EQ(error["cell"], 0);
+  ASSERT_TRUE(ended.summary);
+  EXPECT_EQ(nlohmann::json::parse(*ended.summary)["ending"], "failed");
+  const storage::ArchiveReader archive(archive_path(archives_, id_));
+  EXPECT_EQ(storage::sha256_hex_of_file(archive_path(archives_, id_)), ended.archive_sha256);
+  EXPECT_EQ(archive.summary()["ending"], "failed");
+  EXPECT_LT(archive.series({"time"}).values.at(0).back(), error["simulated_time"].get<double>());
+  EXPECT_GT(archive.frame_count(), 1);
+  EXPECT_EQ(live_.find(id_), nullptr) << "it is read from its archive";
+}
+
+TEST_F(AttemptAtAJob, ThatGoesUnstableWithoutItsLeasePublishesNothing) {
+  store_->request_cancel(id_);
+  id_ = submit(unstable_case);
+  Attempt attempt = begin();
+  ASSERT_TRUE(store_->release(id_, 1));
+  attempt.run();
+  EXPECT_EQ(job().state, JobState::queued);
   EXPECT_FALSE(has_files());
 }
 

@@ -68,8 +68,8 @@ TEST(Crash, AClaimedJobComesBackAndItsWorkerIsFenced) {
   EXPECT_EQ(store.find(id)->state, JobState::running);
   EXPECT_EQ(store.recover("second life"), 1);
   EXPECT_EQ(store.claim("second life", std::chrono::seconds(10))->job.attempt, 2);
-  EXPECT_FALSE(store.succeed(id, 1, "{}", 1, some_sha256));
-  EXPECT_TRUE(store.succeed(id, 2, "{}", 1, some_sha256));
+  EXPECT_FALSE(store.succeed(id, 1, some_result));
+  EXPECT_TRUE(store.succeed(id, 2, some_result));
 }
 
 }  // namespace

@@ -68,14 +68,14 @@ TEST_F(JobLease, SuccessIsKept) {
   submitted();
   const Job job = claimed();
   time.now += 1000;
-  EXPECT_TRUE(store.succeed(job.id, 1, R"({"ending":"completed"})", 1234, some_sha256));
+  EXPECT_TRUE(store.succeed(job.id, 1, some_result));
   const Job ended = store.find(job.id).value();
   EXPECT_EQ(ended.state, JobState::succeeded);
   EXPECT_EQ(ended.ended_at, time.now);
   EXPECT_EQ(ended.summary, R"({"ending":"completed"})");
   EXPECT_EQ(ended.archive_size, 1234);
-  EXPECT_EQ(ended.archive_sha256, some_sha256);
-  EXPECT_FALSE(store.succeed(job.id, 1, "{}", 1, some_sha256)) << "an ended job ended again";
+  EXPECT_EQ(ended.archive_sha256, some_result.archive_sha256);
+  EXPECT_FALSE(store.succeed(job.id, 1, some_result)) << "an ended job ended again";
   EXPECT_FALSE(store.fail(job.id, 1, "{}"));
   EXPECT_FALSE(store.release(job.id, 1));
 }
@@ -88,6 +88,19 @@ TEST_F(JobLease, FailureKeepsItsError) {
   EXPECT_EQ(ended.state, JobState::failed);
   EXPECT_EQ(ended.error, R"({"kind":"engine"})");
   EXPECT_EQ(ended.ended_at, time.now);
+  EXPECT_FALSE(ended.summary || ended.archive_size || ended.archive_sha256);
+}
+
+TEST_F(JobLease, FailureKeepsWhatTheRunLeft) {
+  submitted();
+  const Job job = claimed();
+  EXPECT_TRUE(store.fail(job.id, 1, R"({"kind":"engine"})", JobResult{"{}", 12, some_result.archive_sha256}));
+  const Job ended = store.find(job.id).value();
+  EXPECT_EQ(ended.state, JobState::failed);
+  EXPECT_EQ(ended.error, R"({"kind":"engine"})");
+  EXPECT_EQ(ended.summary, "{}");
+  EXPECT_EQ(ended.archive_size, 12);
+  EXPECT_EQ(ended.archive_sha256, some_result.archive_sha256);
 }
 
 TEST_F(JobLease, RenewingHoldsTheJobAndStoresProgress) {
@@ -116,11 +129,11 @@ TEST_F(JobLease, AnExpiredLeaseLetsAnotherWorkerInAndFencesTheFirst) {
   EXPECT_EQ(second.id, first.id);
   EXPECT_EQ(second.attempt, 2);
   EXPECT_EQ(store.renew(first.id, 1, seconds(10)), Lease::lost);
-  EXPECT_FALSE(store.succeed(first.id, 1, "{}", 1, some_sha256));
+  EXPECT_FALSE(store.succeed(first.id, 1, some_result));
   EXPECT_FALSE(store.fail(first.id, 1, "{}"));
   EXPECT_FALSE(store.release(first.id, 1));
   EXPECT_EQ(state(first.id), JobState::running);
-  EXPECT_TRUE(store.succeed(first.id, 2, "{}", 1, some_sha256));
+  EXPECT_TRUE(store.succeed(first.id, 2, some_result));
 }
 
 TEST_F(JobLease, ReleasedJobsWaitUntilTheirTime) {
@@ -166,7 +179,7 @@ TEST_F(JobLease, ARunThatEndsBeforeItsCancellationKeepsItsEnd) {
   submitted();
   const Job job = claimed();
   store.request_cancel(job.id);
-  EXPECT_TRUE(store.succeed(job.id, 1, "{}", 1, some_sha256));
+  EXPECT_TRUE(store.succeed(job.id, 1, some_result));
   EXPECT_EQ(state(job.id), JobState::succeeded);
 }
 

@@ -4,6 +4,7 @@
 
 #include "storage/job_store.h"
 #include "storage/sqlite/database.h"
+#include "storage/store_error.h"
 #include "tests/unit/storage/scratch.h"
 
 namespace rouleau::storage {
@@ -46,6 +47,22 @@ TEST(Migrations, AStepThatFailsLeavesNothingBehind) {
   EXPECT_FALSE(database.tableExists("b"));
   migrate(database, {first, second});
   EXPECT_EQ(version(database), 2);
+}
+
+TEST(Migrations, AStepMayMakeATableAnewThatOthersReferTo) {
+  const Migration tables{1, "0001_tables",
+                         "CREATE TABLE a (x INTEGER PRIMARY KEY) STRICT; INSERT INTO a VALUES (7);"
+                         "CREATE TABLE b (x INTEGER REFERENCES a (x) ON DELETE CASCADE) STRICT;"
+                         "INSERT INTO b VALUES (7);"};
+  const std::string anew = "CREATE TABLE c (x INTEGER PRIMARY KEY, y INTEGER) STRICT;";
+  const std::string over = "DROP TABLE a; ALTER TABLE c RENAME TO a;";
+  const ScratchFolder folder;
+  SQLite::Database database = open_for_writing(folder.path() / "x.sqlite");
+  EXPECT_THROW(migrate(database, {tables, {2, "0002_forgets_the_rows", anew + over}}), StoreError);
+  EXPECT_EQ(version(database), 1);
+  migrate(database, {tables, {2, "0002_a", anew + "INSERT INTO c SELECT x, 1 FROM a;" + over}});
+  EXPECT_EQ(database.execAndGet("SELECT count(*) FROM b").getInt(), 1);
+  EXPECT_EQ(database.execAndGet("PRAGMA foreign_keys").getInt(), 1);
 }
 
 TEST(Migrations, RefuseADatabaseOfANewerProgram) {

@@ -22,9 +22,10 @@ class Schema : public testing::Test {
     {
       JobStore store(folder.path());
       const auto lease = std::chrono::seconds(100);
-      for (int i = 0; i < 5; ++i) store.submit(plain_job());
-      store.succeed(store.claim("me", lease)->job.id, 1, "{}", 10, some_sha256);
+      for (int i = 0; i < 6; ++i) store.submit(plain_job());
+      store.succeed(store.claim("me", lease)->job.id, 1, some_result);
       store.fail(store.claim("me", lease)->job.id, 1, "{}");
+      store.fail(store.claim("me", lease)->job.id, 1, "{}", some_result);
       store.request_cancel(store.claim("me", lease)->job.id);
       store.claim("me", lease);
       store.request_cancel(store.submit(plain_job()).id);
@@ -64,7 +65,9 @@ TEST_F(Schema, RefusesWhatBreaksAnInvariant) {
       "SET archive_sha256 = NULL WHERE state = 'succeeded'",
       "SET archive_sha256 = 'short' WHERE state = 'succeeded'",
       "SET archive_size = NULL WHERE state = 'succeeded'",
-      "SET archive_size = 7 WHERE state = 'failed'",
+      "SET archive_size = 7 WHERE state = 'failed' AND summary IS NULL",
+      "SET archive_sha256 = NULL WHERE state = 'failed' AND summary IS NOT NULL",
+      "SET summary = NULL WHERE state = 'failed' AND summary IS NOT NULL",
       "SET summary = '{}' WHERE state = 'cancelled'",
       "SET error = NULL WHERE state = 'failed'",
       "SET error = '{}' WHERE state = 'succeeded'",

@@ -48,6 +48,6 @@ inline NewJob plain_job(const std::string& name = "plain", int priority = 0) {
   return job;
 }
 
-inline const std::string some_sha256(64, 'a');
+inline const JobResult some_result{R"({"ending":"completed"})", 1234, std::string(64, 'a')};
 
 }  // namespace rouleau::storage

@@ -176,6 +176,38 @@ test("a job is cancelled from the page, and the list shows how both ended, on a 
   assert.ok((await tooWide()) <= 0, "the list fits the screen");
 });
 
+test("a job that went unstable says why, and shows and leaves what it computed", async () => {
+  await page.setViewportSize({ width: 1100, height: 900 });
+  await changeNextCase((scene) => {
+    // Walls drag a limp cell apart until its membrane is five times as long.
+    scene.duration = 3e-3;
+    scene.plasma = { kinematic_viscosity: 1e-5 };
+    const walls = { lower: -0.05, upper: 0.05 };
+    scene.vessel = { length: 20e-6, diameter: 10e-6, ends: "periodic", wall_velocity: walls };
+    scene.thrombi = [];
+    scene.cells = [
+      { x: 10e-6, y: 5e-6, diameter: 6e-6, fill: 1, shape: "circle", stretch_modulus: 1e-9, bend_modulus: 1e-20 },
+    ];
+    delete scene.inflow;
+    delete scene.outflow;
+    scene.numerics = { preset: "draft" };
+    scene.output = { series_interval: 2e-5, frame_interval: 1e-4 };
+  });
+  await page.getByRole("button", { name: "Run the example" }).click();
+  await page.waitForURL(/#\/jobs\//);
+  assert.equal(await endState(longestRun), "failed", await page.locator(".job header").innerText());
+  const alert = page.getByRole("alert");
+  assert.match((await alert.textContent()) ?? "", /The run went unstable.*Allowed.*When.*Where.*Cell/s);
+  await page.getByText("Peak velocity").waitFor();
+  assert.ok(Number(await page.getByLabel("Simulated time").getAttribute("max")) >= 2, "it has its frames");
+  await page.getByRole("button", { name: "series.csv" }).waitFor();
+  const [archive] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("link", { name: "archive.h5" }).click(),
+  ]);
+  assert.ok((await readFile(await archive.path())).length > 1000);
+});
+
 test("nothing was complained of, and nothing asked of anyone else", () => {
   assert.deepEqual(complaints, []);
 });
