@@ -7,7 +7,7 @@ import time
 
 import h5py
 import pytest
-from rouleau_server import endless, plasma
+from rouleau_server import endless, plasma, unstable
 
 
 @pytest.fixture
@@ -108,6 +108,25 @@ def test_an_interrupted_run_keeps_what_it_has(server, write_case, tmp_path):
     assert json.loads(output)["summary"]["ending"] == "stopped"
     with h5py.File(tmp_path / "part.h5") as archive:
         assert "series" in archive
+
+
+def test_a_run_that_goes_unstable_keeps_what_it_computed(call, write_case, tmp_path):
+    done = call("run", write_case(unstable()), "-o", "out.h5", "--json")
+    told = json.loads(done.stdout)
+    breach = told["breach"]
+    assert done.returncode == 1 and "error: the run went unstable" in done.stderr
+    assert breach["quantity"] and breach["cell"] == 0 and 0 < breach["y"] < 10e-6
+    assert told["summary"]["ending"] == "failed" and told["summary"]["simulated_time"] < breach["simulated_time"]
+    assert not list(tmp_path.glob("out.h5.*"))
+
+    series = json.loads(call("series", "out.h5", "--columns", "time,cell0.perimeter", "--json").stdout)
+    (_, first), (time, last) = series["rows"][0], series["rows"][-1]
+    assert len(series["rows"]) > 5 and last > 2 * first
+    assert time <= told["summary"]["simulated_time"]
+    across = call("series", "out.h5", "--probe", "across", "--csv").stdout.splitlines()
+    assert len(across) == 1 + 3 * len(series["rows"])
+    with h5py.File(tmp_path / "out.h5") as archive:
+        assert archive["parameters/ending"].asstr()[()] == "failed"
 
 
 def test_submit_wait_and_fetch(call, write_case, tmp_path):
