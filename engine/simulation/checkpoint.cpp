@@ -32,11 +32,15 @@ CheckpointHead read_head(ByteReader& bytes, const Case& resolved) {
   bytes(found_mark);
   if (found_mark != mark) throw CheckpointError("this is no checkpoint of this kind of machine");
   bytes(found_format);
+  if (found_format != format) {
+    throw CheckpointError("the checkpoint has format " + std::to_string(found_format) +
+                          ", this version goes on from format " + std::to_string(format) + " alone");
+  }
   std::string version, text;
-  if (found_format == format) bytes(version);
-  if (found_format != format || version != engine_version()) {
-    throw CheckpointError("the checkpoint is another version's, " + version + " instead of " +
-                          engine_version() + ": only the version that wrote it gives the same numbers");
+  bytes(version);
+  if (version != engine_version()) {
+    throw CheckpointError("the checkpoint is of version " + version + ", this is " + engine_version() +
+                          ": only the version that wrote it gives the same numbers");
   }
   bytes(text);
   if (text != to_json(resolved).dump()) throw CheckpointError("the checkpoint is another case's");

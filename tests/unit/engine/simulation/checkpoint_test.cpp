@@ -1,7 +1,10 @@
 #include "engine/simulation/checkpoint.h"
 
+#include <algorithm>
 #include <bit>
+#include <gmock/gmock.h>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -138,6 +141,46 @@ TEST(Checkpoint, OfAnotherCaseIsRefused) {
   EXPECT_NO_THROW(head_of(checkpoint, scene));
   EXPECT_THROW(head_of(checkpoint, other), CheckpointError);
   EXPECT_THROW(run_case(other, recorder, {}, {&checkpoint, 0}), CheckpointError);
+}
+
+/// What is said of a checkpoint that nothing goes on from.
+std::string refusal(const Checkpoint& checkpoint, const Case& scene) {
+  Recorder recorder;
+  try {
+    run_case(scene, recorder, {}, {&checkpoint, 0});
+  } catch (const CheckpointError& error) {
+    EXPECT_TRUE(recorder.rows.empty());
+    EXPECT_THROW(head_of(checkpoint, scene), CheckpointError);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Checkpoint, OfAnotherVersionOrFormatIsRefused) {
+  const Case scene = coarse_vessel();
+  const Checkpoint checkpoint = one_of(scene);
+  const std::string version = engine_version();
+  const auto is_version = [&](std::byte byte, char letter) { return byte == static_cast<std::byte>(letter); };
+  const auto at = std::search(checkpoint.bytes.begin(), checkpoint.bytes.end(), version.begin(),
+                              version.end(), is_version) -
+                  checkpoint.bytes.begin();
+  ASSERT_LT(at, 64) << "the version stands at its head";
+
+  Checkpoint other = checkpoint;
+  other.bytes[static_cast<std::size_t>(at)] = std::byte{'9'};
+  std::string other_version = version;
+  other_version[0] = '9';
+  EXPECT_THAT(refusal(other, scene), testing::AllOf(testing::HasSubstr("version " + other_version + ","),
+                                                    testing::HasSubstr("this is " + version)));
+
+  constexpr std::size_t format = sizeof(std::uint64_t);  // behind the mark
+  other = checkpoint;
+  other.bytes[format] = std::byte{77};
+  EXPECT_THAT(refusal(other, scene), testing::HasSubstr("format 77"));
+
+  std::reverse(other.bytes.begin(), other.bytes.begin() + format);
+  EXPECT_THAT(refusal(other, scene), testing::HasSubstr("kind of machine"));
+  EXPECT_EQ(refusal(checkpoint, scene), "");
 }
 
 TEST(Checkpoint, CutOffAnywhereIsRefused) {
