@@ -54,7 +54,12 @@ double wall_gap(Ring ring, const geometry::Outline& outline) {
     }
   };
   for (const geometry::Wedge& wedge : outline.wedges()) take(wedge.before.at, 0);
-  for (const geometry::Bump& bump : outline.bumps()) take(bump.centre, bump.radius);
+  for (const geometry::Bump& bump : outline.bumps()) {
+    take(bump.centre, bump.radius);
+    outline.visit_images([&](double dx, double dy) {
+      take({bump.centre[0] + dx, bump.centre[1] + dy}, bump.radius);
+    });
+  }
   return least;
 }
 

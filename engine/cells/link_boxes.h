@@ -19,6 +19,7 @@ struct Box {
     x1 = std::max(x1, x);
     y1 = std::max(y1, y);
   }
+  Box displaced(double dx, double dy) const { return {x0 + dx, y0 + dy, x1 + dx, y1 + dy}; }
   /// What is in the one is at least this far from what is in the other.
   double distance(const Box& other) const {
     const double dx = std::max({0.0, other.x0 - x1, x0 - other.x1});

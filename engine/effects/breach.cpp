@@ -1,8 +1,15 @@
 #include "engine/effects/breach.h"
 
+#include <cmath>
+
 namespace rouleau::effects {
 
 namespace {
+
+/// A cell across the seam of a periodic vessel has nodes beyond its ends; the place is said within it.
+double within(double position, double period) {
+  return period > 0 ? position - period * std::floor(position / period) : position;
+}
 
 Breach breach_in(const State& state, double x, double y, Exceeded exceeded) {
   return {.quantity = std::move(exceeded.quantity),
@@ -11,8 +18,8 @@ Breach breach_in(const State& state, double x, double y, Exceeded exceeded) {
           .unit = std::move(exceeded.unit),
           .time = (state.time + state.dt) * state.scales.time(),
           .step = state.step + 1,
-          .x = x * state.scales.length,
-          .y = y * state.scales.length,
+          .x = within(x, state.outline.period_x()) * state.scales.length,
+          .y = within(y, state.outline.period_y()) * state.scales.length,
           .mendable = exceeded.mendable};
 }
 

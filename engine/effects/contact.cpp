@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/cells/contact.h"
+#include "engine/cells/ring_image.h"
 
 namespace rouleau::effects {
 
@@ -63,27 +64,15 @@ class Contacts : public Effect {
                              state.cells[other].first_node, membrane_range * state.spacing,
                              other == c ? own_neighbourhood : -1, contacts_);
     }
-    const double px = state.outline.period_x(), py = state.outline.period_y();
-    if (px == 0 && py == 0) return;
-    for (const int a : {-1, 0, 1}) {
-      for (const int b : {-1, 0, 1}) {
-        const bool repeats = (px > 0 || a == 0) && (py > 0 || b == 0);
-        if (repeats && (a != 0 || b != 0)) find_image(state, c, a * px, b * py);
-      }
-    }
+    state.outline.visit_images([&](double dx, double dy) { find_image(state, c, dx, dy); });
   }
 
   /// The contacts of a cell that is displaced by whole periods.
   void find_image(const State& state, std::size_t c, double away_x, double away_y) {
-    const cells::Ring ring = boxes_[c].ring();
-    image_x_.assign(ring.x.begin(), ring.x.end());
-    image_y_.assign(ring.y.begin(), ring.y.end());
-    for (double& x : image_x_) x += away_x;
-    for (double& y : image_y_) y += away_y;
-    const cells::LinkBoxes image({image_x_, image_y_});
+    const cells::RingImage image(boxes_[c].ring(), away_x, away_y);
     for (std::size_t other = 0; other < state.cells.size(); ++other) {
-      cells::append_contacts(image, state.cells[c].first_node, boxes_[other], state.cells[other].first_node,
-                             membrane_range * state.spacing, -1, contacts_);
+      cells::append_contacts(image.boxes(), state.cells[c].first_node, boxes_[other],
+                             state.cells[other].first_node, membrane_range * state.spacing, -1, contacts_);
     }
   }
 
@@ -100,7 +89,6 @@ class Contacts : public Effect {
 
   std::vector<cells::LinkBoxes> boxes_;
   std::vector<cells::Contact> contacts_;
-  std::vector<double> image_x_, image_y_;
 };
 
 }  // namespace

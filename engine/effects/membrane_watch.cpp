@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/cells/gap.h"
+#include "engine/cells/ring_image.h"
 #include "engine/cells/shape.h"
 #include "engine/effects/bounds.h"
 #include "engine/effects/breach.h"
@@ -63,9 +64,20 @@ class MembraneWatch : public Effect {
       if (state.cells[other].presence < 1) continue;
       crossing = cells::find_crossing(boxes_[c], boxes_[other]);
     }
+    state.outline.visit_images([&](double dx, double dy) {
+      for (std::size_t other = c; other < boxes_.size() && !crossing; ++other) {
+        crossing = crossing_of_image(boxes_[c], dx, dy, boxes_[other]);
+      }
+    });
     if (crossing) {
       throw breach_of_cell(state, c, crossing->x, crossing->y, {"crossing membrane edges", 1, 0});
     }
+  }
+
+  static std::optional<cells::Crossing> crossing_of_image(const cells::LinkBoxes& a, double away_x,
+                                                          double away_y, const cells::LinkBoxes& b) {
+    if (a.whole().displaced(away_x, away_y).distance(b.whole()) > 0) return std::nullopt;
+    return cells::find_crossing(cells::RingImage(a.ring(), away_x, away_y).boxes(), b);
   }
 
   std::vector<cells::LinkBoxes> boxes_;

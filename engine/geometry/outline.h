@@ -32,6 +32,17 @@ class Outline {
   double height() const { return vessel_.height; }  ///< its diameter, or of the box along y
   double period_x() const { return vessel_.period_x; }  ///< 0: not periodic
   double period_y() const { return vessel_.period_y; }
+  /// Calls visit(dx, dy) with the displacement of each image that can be near to something in a periodic
+  /// vessel: a period one way or the other, along one axis or both. Not at all where nothing repeats.
+  template <class Visit>
+  void visit_images(Visit visit) const {
+    const int along_x = period_x() > 0 ? 1 : 0, along_y = period_y() > 0 ? 1 : 0;
+    for (int a = -along_x; a <= along_x; ++a) {
+      for (int b = -along_y; b <= along_y; ++b) {
+        if (a != 0 || b != 0) visit(a * period_x(), b * period_y());
+      }
+    }
+  }
   /// Of the fluid between the open ends, walls included.
   const Bounds& bounds() const { return vessel_.bounds; }
   /// Of the fluid between the open ends.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/cells/gap.h"
+#include "engine/cells/ring_image.h"
 #include "engine/cells/shape.h"
 #include "engine/cells/tank_treading.h"
 #include "engine/observe/first_nodes.h"
@@ -23,6 +24,10 @@ double gap_to_others(const effects::State& state, std::size_t k) {
     if (other == k || state.cells[other].nodes == 0) continue;
     const cells::LinkBoxes boxes(state.ring(state.cells[other]));
     if (own.whole().distance(boxes.whole()) < least) least = std::min(least, cells::least_gap(own, boxes));
+    state.outline.visit_images([&](double dx, double dy) {
+      if (own.whole().displaced(dx, dy).distance(boxes.whole()) >= least) return;
+      least = std::min(least, cells::least_gap(cells::RingImage(own.ring(), dx, dy).boxes(), boxes));
+    });
   }
   return least;
 }

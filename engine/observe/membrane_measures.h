@@ -14,7 +14,7 @@ struct MembraneMeasures {
   cells::ShapeClass shape = cells::ShapeClass::other;
   double thickness = 0;  ///< mean: twice the area over the perimeter
   double wall_gap = 0;   ///< least distance from the walls; infinite where there are none
-  double cell_gap = 0;   ///< least distance from another cell; infinite where there is none
+  double cell_gap = 0;   ///< least distance from another cell or its image; infinite where there is none
 };
 
 /// Of cell k.

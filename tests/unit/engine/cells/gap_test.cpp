@@ -51,6 +51,18 @@ TEST(WallGap, SeesWhatStandsBetweenTwoNodes) {
   EXPECT_LT(wall_gap(turned(plate, 0, 0, -5).ring(), outline), 0);
 }
 
+TEST(WallGap, SeesTheImageOfAThrombus) {
+  Case scene;
+  scene.vessel = {80e-6, 10e-6};
+  scene.vessel.ends = Ends::periodic;
+  scene.thrombi = {{Wall::lower, 4e-6, 3e-6}};
+  const geometry::Outline outline(scene, 1e-6, 1);
+  const Nodes plate{{-6, 14, 14, -6}, {4, 4, 6, 6}};
+  for (const double away : {-80.0, 0.0, 80.0}) {
+    EXPECT_NEAR(wall_gap(turned(plate, 0, away, 0).ring(), outline), 1, 1e-12) << away;
+  }
+}
+
 TEST(Crossing, IsFoundBetweenTwoRings) {
   const LinkBoxes here(square.ring());
   const Nodes apart = turned(square, 0, 2.01, 0), across = turned(square, 0, 1.5, 1);

@@ -94,19 +94,10 @@ TEST(Contact, BetweenCellsIsMutual) {
   EXPECT_EQ(state.counters.contact_steps, 1);
 }
 
-/// Two cells side by side in a periodic vessel.
-State pair_around(double x) {
-  Case scene = coarse_vessel_with_cells(2);
-  scene.vessel = {20e-6, 10e-6};
-  scene.vessel.ends = Ends::periodic;
-  scene.cells[0].x = x - 1.5e-6;
-  scene.cells[1].x = x + 1.5e-6;
-  if (scene.cells[0].x < 0) scene.cells[0].x += scene.vessel.length;
-  return prepared_state(scene);
-}
-
 TEST(Contact, ActsAcrossASeamAsInTheMiddle) {
-  State middle = pair_around(10e-6), across = pair_around(0);
+  const double touching = 3e-6;
+  State middle = prepared_state(pair_around(10e-6, touching));
+  State across = prepared_state(pair_around(0, touching));
   for (State* state : {&middle, &across}) contact.make(*state)->apply(*state);
   double strongest = 0;
   for (std::size_t q = 0; q < middle.load.fx.size(); ++q)

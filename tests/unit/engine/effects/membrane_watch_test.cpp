@@ -1,7 +1,9 @@
 #include "engine/effects/membrane_watch.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include <gtest/gtest.h>
 
@@ -105,6 +107,56 @@ TEST(MembraneWatch, SeesTwoMembranesCross) {
   State state = prepared_state(coarse_vessel_with_cells(2));
   const CellState& cell = state.cells[1];
   for (int i = cell.first_node; i < cell.first_node + cell.nodes; ++i) state.particles.x[i] -= 0.85;
+  EXPECT_THROW(membrane_watch.make(state)->apply(state), SimulationError);
+}
+
+/// What the watch says of two cells beside a seam, the right one of which is moved along x by a part of the
+/// vessel's length.
+std::optional<Breach> breach_at_the_seam(double along) {
+  State state = prepared_state(pair_around(0));
+  const CellState& cell = state.cells[1];
+  for (int i = cell.first_node; i < cell.first_node + cell.nodes; ++i)
+    state.particles.x[i] += along * state.outline.period_x();
+  try {
+    membrane_watch.make(state)->apply(state);
+  } catch (const SimulationError& error) {
+    return error.breach();
+  }
+  return std::nullopt;
+}
+
+TEST(MembraneWatch, SeesTwoMembranesCrossAtASeam) {
+  EXPECT_FALSE(breach_at_the_seam(0));
+  const auto breach = breach_at_the_seam(-0.075);
+  ASSERT_TRUE(breach);
+  EXPECT_EQ(breach->quantity, "crossing membrane edges");
+  EXPECT_GE(breach->x, 17e-6) << "in the vessel, where the left one is";
+  EXPECT_LT(breach->x, 20e-6);
+}
+
+TEST(MembraneWatch, SeesACellMeetItsOwnImage) {
+  Case scene = pair_around(10e-6);
+  scene.cells.pop_back();
+  State state = prepared_state(scene);
+  CellState& cell = state.cells[0];
+  const double middle = scene.cells[0].x / state.scales.length;
+  double x0 = 1e300, x1 = -1e300;
+  for (int i = 0; i < cell.nodes; ++i) {
+    x0 = std::min(x0, state.particles.x[i]);
+    x1 = std::max(x1, state.particles.x[i]);
+  }
+  const auto make_long = [&](double periods) {
+    const double factor = periods * state.outline.period_x() / (x1 - x0);
+    for (int i = 0; i < cell.nodes; ++i)
+      state.particles.x[i] = middle + factor * (state.particles.x[i] - middle);
+    x0 = middle + factor * (x0 - middle);
+    x1 = middle + factor * (x1 - middle);
+    cell.start_area = cells::area(state.ring(cell));
+    cell.start_perimeter = cells::perimeter(state.ring(cell));
+  };
+  make_long(0.99);
+  EXPECT_NO_THROW(membrane_watch.make(state)->apply(state));
+  make_long(1.01);
   EXPECT_THROW(membrane_watch.make(state)->apply(state), SimulationError);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -187,6 +188,23 @@ TEST(Outline, WallNodesOfNearlyTouchingBumpsLieOnTheSurfaceOnce) {
       }
     }
   }
+}
+
+TEST(Outline, HasImagesWhereItRepeats) {
+  const auto images = [](const Case& scene) {
+    std::vector<Point> found;
+    outline_of(scene).visit_images([&](double dx, double dy) { found.push_back({dx, dy}); });
+    return found;
+  };
+  Case scene = straight_vessel(4, 1);
+  EXPECT_TRUE(images(scene).empty());
+  scene.vessel.ends = Ends::periodic;
+  EXPECT_EQ(images(scene), (std::vector<Point>{{-4, 0}, {4, 0}}));
+  scene.vessel.shape = Shape::box;
+  const auto around = images(scene);
+  EXPECT_EQ(std::set<Point>(around.begin(), around.end()).size(), 8u);
+  EXPECT_EQ(std::count(around.begin(), around.end(), Point{4, -1}), 1);
+  EXPECT_EQ(std::count(around.begin(), around.end(), Point{0, 0}), 0);
 }
 
 TEST(Outline, WallNodesOfAPlainVesselAreTwoStraightRows) {

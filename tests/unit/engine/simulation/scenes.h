@@ -28,4 +28,16 @@ inline Case coarse_vessel_with_cells(int cells = 1) {
   return scene;
 }
 
+/// Two cells side by side in a periodic vessel of 20 um, their centres this far apart on either side of x
+/// (m); around 0 the seam is between them.
+inline Case pair_around(double x, double apart = 4e-6) {
+  Case scene = coarse_vessel_with_cells(2);
+  scene.vessel = {20e-6, 10e-6};
+  scene.vessel.ends = Ends::periodic;
+  scene.cells[0].x = x - apart / 2;
+  scene.cells[1].x = x + apart / 2;
+  if (scene.cells[0].x < 0) scene.cells[0].x += scene.vessel.length;
+  return scene;
+}
+
 }  // namespace rouleau
