@@ -20,7 +20,8 @@ Breach breach_in(const State& state, double x, double y, Exceeded exceeded) {
           .step = state.step + 1,
           .x = within(x, state.outline.period_x()) * state.scales.length,
           .y = within(y, state.outline.period_y()) * state.scales.length,
-          .mendable = exceeded.mendable};
+          .mendable = exceeded.mendable,
+          .advice = std::move(exceeded.advice)};
 }
 
 }  // namespace
@@ -37,6 +38,10 @@ SimulationError breach_of_cell(const State& state, int cell, double x, double y,
   Breach breach = breach_in(state, x, y, std::move(exceeded));
   breach.cell = cell;
   return SimulationError(std::move(breach));
+}
+
+SimulationError unsolved(const State& state, const std::string& equation, const linear::Solve& solve) {
+  return SimulationError(breach_in(state, 0, 0, {"residual of the " + equation, solve.residual, solve.goal}));
 }
 
 }  // namespace rouleau::effects

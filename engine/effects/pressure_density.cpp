@@ -1,6 +1,6 @@
 #include "engine/effects/pressure_density.h"
 
-#include "engine/error/simulation_error.h"
+#include "engine/effects/breach.h"
 #include "engine/linear/jacobi_cg.h"
 #include "engine/linear/two_level_cg.h"
 
@@ -18,7 +18,7 @@ class PressureDensity : public Effect {
     pressure_.assign(right_side_.size(), 0);
     const linear::Solve solve = solve_system(state);
     state.counters.pressure_iterations += solve.iterations;
-    if (!solve.converged) throw_unsolved(state, solve);
+    if (!solve.converged) throw unsolved(state, "pressure equation", solve);
     auto& p = state.particles.p;
     for (int i = 0; i < static_cast<int>(unknown_.size()); ++i) {
       if (unknown_[i] >= 0) {
@@ -85,15 +85,6 @@ class PressureDensity : public Effect {
     two_level_.prepare(matrix_, *projection.aggregates,
                        anchored_ ? linear::Constants::seen : linear::Constants::ignored);
     return two_level_.solve(right_side_, pressure_, tolerance, max_iterations);
-  }
-
-  static void throw_unsolved(const State& state, const linear::Solve& solve) {
-    throw SimulationError({.quantity = "residual of the pressure equation",
-                           .value = solve.residual,
-                           .bound = solve.goal,
-                           .unit = "1",
-                           .time = state.time * state.scales.time(),
-                           .step = state.step});
   }
 
   std::vector<int> unknown_;  ///< [rows] its place in the system, -1: none

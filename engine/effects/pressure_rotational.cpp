@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/effects/backward_difference.h"
-#include "engine/error/simulation_error.h"
+#include "engine/effects/breach.h"
 #include "engine/linear/sparse_rows.h"
 #include "engine/linear/two_level_cg.h"
 
@@ -50,7 +50,7 @@ class PressureRotational : public Effect {
     const linear::Solve solve =
         solver_.solve(right_side_, increment_, state.scene.numerics.pressure_tolerance, max_iterations);
     state.counters.pressure_iterations += solve.iterations;
-    if (!solve.converged) throw_unsolved(state, solve);
+    if (!solve.converged) throw unsolved(state, "pressure equation", solve);
     correct(state);
   }
 
@@ -133,15 +133,6 @@ class PressureRotational : public Effect {
       const double factor = state.viscosity_factor.empty() ? 1 : state.viscosity_factor[i];
       particles.p[i] += particles.phi[i] - factor * state.viscosity * excess_[i];
     }
-  }
-
-  static void throw_unsolved(const State& state, const linear::Solve& solve) {
-    throw SimulationError({.quantity = "residual of the pressure equation",
-                           .value = solve.residual,
-                           .bound = solve.goal,
-                           .unit = "1",
-                           .time = state.time * state.scales.time(),
-                           .step = state.step});
   }
 
   double density_ = 0;

@@ -6,7 +6,7 @@
 
 #include "engine/cells/resample.h"
 #include "engine/cells/shape.h"
-#include "engine/error/simulation_error.h"
+#include "engine/effects/breach.h"
 
 namespace rouleau::effects {
 
@@ -63,17 +63,9 @@ class ThinCells : public Effect {
     const double unit = state.scales.length;
     char advice[80];
     std::snprintf(advice, sizeof advice, "a spacing of %.2g um would do", thickness / restored * unit * 1e6);
-    return SimulationError({.quantity = "mean thickness of a cell",
-                            .value = thickness * unit,
-                            .bound = least * state.spacing * unit,
-                            .unit = "m",
-                            .time = (state.time + state.dt) * state.scales.time(),
-                            .step = state.step + 1,
-                            .x = shape.x * unit,
-                            .y = shape.y * unit,
-                            .cell = k,
-                            .mendable = false,
-                            .advice = advice});
+    return breach_of_cell(
+        state, k, shape.x, shape.y,
+        {"mean thickness of a cell", thickness * unit, least * state.spacing * unit, "m", false, advice});
   }
 };
 

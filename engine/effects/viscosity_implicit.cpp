@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "engine/effects/backward_difference.h"
-#include "engine/error/simulation_error.h"
+#include "engine/effects/breach.h"
 #include "engine/linear/aggregates.h"
 #include "engine/linear/bicgstab.h"
 #include "engine/linear/coarse_space.h"
@@ -35,7 +35,7 @@ class ViscosityImplicit : public Effect {
         solver_.solve([&](std::span<const float> in, std::span<float> out) { multiply(state, in, out); },
                       residual_, change_, tolerance * (std::sqrt(norm2) + 1e-11), max_iterations);
     state.counters.viscosity_iterations += solve.iterations;
-    if (!solve.converged) throw_unsolved(state, solve);
+    if (!solve.converged) throw unsolved(state, "viscous step", solve);
     update(state);
   }
 
@@ -137,15 +137,6 @@ class ViscosityImplicit : public Effect {
       particles.u[i] += static_cast<double>(change_[2 * i]);
       particles.v[i] += static_cast<double>(change_[2 * i + 1]);
     }
-  }
-
-  static void throw_unsolved(const State& state, const linear::Solve& solve) {
-    throw SimulationError({.quantity = "residual of the viscous step",
-                           .value = solve.residual,
-                           .bound = solve.goal,
-                           .unit = "1",
-                           .time = state.time * state.scales.time(),
-                           .step = state.step});
   }
 
   linear::BiCgStab<float> solver_;
