@@ -13,7 +13,7 @@ std::string describe(const Breach& breach) {
   text << std::setprecision(4) << "the run went unstable: " << breach.quantity << " " << breach.value << unit
        << " is beyond its bound of " << breach.bound << unit << " at t = " << breach.time * 1e3
        << " ms (step " << breach.step << ")";
-  if (breach.particle < 0 && breach.cell < 0) return text.str();
+  if (!breach.has_place()) return text.str();
   text << ", at x = " << breach.x * 1e6 << " um, y = " << breach.y * 1e6 << " um";
   if (breach.particle >= 0) text << ", particle " << breach.particle;
   if (breach.cell >= 0) text << (breach.particle >= 0 ? " of" : ",") << " cell " << breach.cell;

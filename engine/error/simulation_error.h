@@ -18,6 +18,9 @@ struct Breach {
   int cell = -1;         ///< -1 for plasma and the whole run
   bool mendable = true;  ///< by a smaller step; not what grew in many
   std::string advice{};  ///< what would help, if that is known
+
+  /// Whether x and y say anything: what is the whole run's is nowhere.
+  bool has_place() const { return particle >= 0 || cell >= 0; }
 };
 
 class SimulationError : public std::runtime_error {

@@ -28,10 +28,9 @@ Failure from_simulation(const SimulationError& error) {
                         {"unit", breach.unit},
                         {"simulated_time", breach.time},
                         {"step", breach.step},
-                        {"x", breach.x},
-                        {"y", breach.y},
                         {"particle", breach.particle},
                         {"cell", breach.cell}});
+  if (breach.has_place()) failure.error.update({{"x", breach.x}, {"y", breach.y}});
   return failure;
 }
 

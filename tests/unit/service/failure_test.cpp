@@ -27,6 +27,7 @@ TEST(Failure, OfARunThatWentUnstableSaysWhatWhenAndWhere) {
   breach.step = 70;
   breach.x = 2e-6;
   breach.y = 1e-6;
+  breach.particle = 17;
   const Failure failure = failure_of(SimulationError(breach));
   EXPECT_EQ(failure.kind, Kind::engine);
   EXPECT_EQ(failure.error["kind"], "engine");
@@ -35,6 +36,14 @@ TEST(Failure, OfARunThatWentUnstableSaysWhatWhenAndWhere) {
   EXPECT_EQ(failure.error["simulated_time"], 1e-3);
   EXPECT_EQ(failure.error["step"], 70);
   EXPECT_EQ(failure.error["x"], 2e-6);
+  EXPECT_EQ(failure.error["particle"], 17);
+}
+
+TEST(Failure, OfTheWholeRunHasNoPlace) {
+  const Failure failure =
+      failure_of(SimulationError(Breach{.quantity = "residual", .value = 2, .bound = 1, .unit = "1"}));
+  EXPECT_FALSE(failure.error.contains("x") || failure.error.contains("y"));
+  EXPECT_EQ(failure.error["particle"], -1);
 }
 
 TEST(Failure, OfACaseListsItsFaults) {
