@@ -119,6 +119,11 @@ Need needs_cells(const Case& scene, std::string reason) {
   return {true, std::move(reason), "/cells"};
 }
 
+Need needs_cells_that_leave(const Case& scene, std::string reason) {
+  if (!is_open(scene.vessel)) return {false, "the vessel has no outlet", "/vessel/ends"};
+  return needs_cells(scene, std::move(reason));
+}
+
 bool has_membranes(const State& state) {
   return std::any_of(state.cells.begin(), state.cells.end(),
                      [](const CellState& cell) { return !cell.departure; });

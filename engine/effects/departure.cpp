@@ -79,15 +79,12 @@ class Departing : public Effect {
 
 }  // namespace
 
-const EffectKind departure{"departure",
-                           Stage::boundaries,
-                           false,
-                           [](const Case& scene) {
-                             if (!is_open(scene.vessel))
-                               return Need{false, "the vessel has no outlet", "/vessel/ends"};
-                             return needs_cells(scene, "cells can leave through the outlet");
-                           },
-                           [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Departing>(); },
-                           has_membranes};
+const EffectKind departure{
+    "departure",
+    Stage::boundaries,
+    false,
+    [](const Case& scene) { return needs_cells_that_leave(scene, "cells can leave through the outlet"); },
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Departing>(); },
+    has_membranes};
 
 }  // namespace rouleau::effects

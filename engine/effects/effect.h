@@ -47,6 +47,8 @@ const std::vector<const EffectKind*>& catalogue();
 /// The usual answers of `EffectKind::need`.
 Need always(std::string reason);
 Need needs_cells(const Case& scene, std::string reason);
+/// The same, in a vessel that they can leave.
+Need needs_cells_that_leave(const Case& scene, std::string reason);
 /// The usual answer of `EffectKind::awake` where `needs_cells` called for it: not once every cell has left.
 bool has_membranes(const State& state);
 /// Called for by the published scheme (preset `paper`) alone.

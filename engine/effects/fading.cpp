@@ -29,9 +29,7 @@ const EffectKind fading{"fading",
                         Stage::forces,
                         false,
                         [](const Case& scene) {
-                          if (!is_open(scene.vessel))
-                            return Need{false, "the vessel has no outlet", "/vessel/ends"};
-                          return needs_cells(scene, "a membrane's forces fade before an outlet");
+                          return needs_cells_that_leave(scene, "a membrane's forces fade before an outlet");
                         },
                         [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Fading>(); },
                         any_cell_fades};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/case/case_json.h"
+#include "engine/case/faults.h"
 #include "service/api/case_body.h"
 
 namespace rouleau::service {
@@ -14,21 +15,6 @@ constexpr int greatest_priority = 100;
 constexpr std::size_t most_labels = 16;
 constexpr std::size_t longest_label_key = 64;
 constexpr std::size_t longest_label_value = 256;
-
-/// A key of a body as a token of a JSON Pointer.
-std::string escaped(const std::string& key) {
-  std::string text;
-  for (const char c : key) {
-    if (c == '~') {
-      text += "~0";
-    } else if (c == '/') {
-      text += "~1";
-    } else {
-      text += c;
-    }
-  }
-  return text;
-}
 
 void read_priority(const nlohmann::json& value, storage::NewJob& job, std::vector<Fault>& faults) {
   if (!value.is_number_integer() || value < -greatest_priority || value > greatest_priority) {
@@ -48,7 +34,7 @@ void read_labels(const nlohmann::json& value, storage::NewJob& job, std::vector<
     faults.push_back({"/labels", "at most " + std::to_string(most_labels) + " labels"});
   }
   for (const auto& [key, label] : value.items()) {
-    const std::string pointer = "/labels/" + escaped(key);
+    const std::string pointer = pointer_to("/labels", key);
     if (key.empty() || key.size() > longest_label_key || key.find(':') != std::string::npos) {
       faults.push_back(
           {pointer, "a label's key has 1 to " + std::to_string(longest_label_key) + " bytes and no colon"});
@@ -76,7 +62,7 @@ storage::NewJob read_new_job(const std::string& body) {
     } else if (key == "labels") {
       read_labels(value, job, faults);
     } else if (key != "case") {
-      faults.push_back({"/" + escaped(key), "unknown key; allowed: case, priority, labels"});
+      faults.push_back({pointer_to("", key), "unknown key; allowed: case, priority, labels"});
     }
   }
   if (!document.contains("case")) {

@@ -68,27 +68,25 @@ INSTANTIATE_TEST_SUITE_P(Validation, BiconcaveShape,
                          });
 
 /// The study's cell: k_s = 1e-5 N/m and k_b = 2.4e-11 N at l0 = 0.4 um, a circle of 6.36 um deflated to half.
-TEST(PublishedCell, RestsAsEquationsTenAndElevenBalance) {
-  const double diameter = 6.36e-6;
-  const Material springs_alone{1e-5, 4.8e-18, pi * diameter / 50, 0.0};
-  const RestShape shape = rest_shape(springs_alone, 50, 0.5 * pi * diameter * diameter / 4.0);
+constexpr double diameter = 6.36e-6;
+
+/// @param dimple  allowed error of the thickness in the middle
+void expect_published_shape(const Material& material, double dimple) {
+  const RestShape shape = rest_shape(material, 50, 0.5 * pi * diameter * diameter / 4.0);
   const Extent found = extent_of(shape);
   EXPECT_NEAR(found.length / 7.53e-6, 1.0, 0.01);
   EXPECT_NEAR(found.width / 2.38e-6, 1.0, 0.01);
-  EXPECT_NEAR(found.centre_thickness / 2.18e-6, 1.0, 0.01);
+  EXPECT_NEAR(found.centre_thickness / 2.18e-6, 1.0, dimple);
   EXPECT_NEAR(shape.perimeter / (pi * diameter) / 0.877, 1.0, 0.01);
+}
+
+TEST(PublishedCell, RestsAsEquationsTenAndElevenBalance) {
+  expect_published_shape({1e-5, 4.8e-18, pi * diameter / 50, 0.0}, 0.01);
 }
 
 /// At rest its softest links are already below 0.8 l0, so the guard against crushing shows, by little.
 TEST(PublishedCell, IsHardlyChangedByTheGuardAgainstCrushing) {
-  const double diameter = 6.36e-6;
-  const Material guarded{1e-5, 4.8e-18, pi * diameter / 50};
-  const RestShape shape = rest_shape(guarded, 50, 0.5 * pi * diameter * diameter / 4.0);
-  const Extent found = extent_of(shape);
-  EXPECT_NEAR(found.length / 7.53e-6, 1.0, 0.01);
-  EXPECT_NEAR(found.width / 2.38e-6, 1.0, 0.01);
-  EXPECT_NEAR(found.centre_thickness / 2.18e-6, 1.0, 0.03);
-  EXPECT_NEAR(shape.perimeter / (pi * diameter) / 0.877, 1.0, 0.01);
+  expect_published_shape({1e-5, 4.8e-18, pi * diameter / 50}, 0.03);
 }
 
 }  // namespace

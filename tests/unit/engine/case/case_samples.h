@@ -28,11 +28,19 @@ inline nlohmann::json minimal_case() {
   return {{"version", 1}, {"vessel", {{"length", 80e-6}, {"diameter", 10e-6}}}, {"duration", 1e-3}};
 }
 
+inline nlohmann::json thrombus(const char* wall, double x, double radius) {
+  return {{"wall", wall}, {"x", x}, {"radius", radius}};
+}
+
+inline nlohmann::json cell(double x, double y, double angle = 90) {
+  return {{"x", x}, {"y", y}, {"angle", angle}};
+}
+
 /// The study's section 3.1: a cell upstream of a thrombus.
 inline nlohmann::json published_case() {
   nlohmann::json document = minimal_case();
-  document["thrombi"] = {{{"wall", "lower"}, {"x", 32e-6}, {"radius", 3.2e-6}}};
-  document["cells"] = {{{"x", 16e-6}, {"y", 5e-6}, {"angle", 90}}};
+  document["thrombi"] = {thrombus("lower", 32e-6, 3.2e-6)};
+  document["cells"] = {cell(16e-6, 5e-6)};
   return document;
 }
 

@@ -12,14 +12,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-json thrombus(const char* wall, double x, double radius) {
-  return {{"wall", wall}, {"x", x}, {"radius", radius}};
-}
-
-json cell(double x, double y, double angle = 90) {
-  return {{"x", x}, {"y", y}, {"angle", angle}};
-}
-
 std::vector<Fault> with_thrombi(const std::vector<json>& thrombi) {
   return faults_of(with(minimal_case(), "/thrombi", thrombi));
 }

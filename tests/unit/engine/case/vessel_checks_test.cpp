@@ -13,14 +13,6 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-json thrombus(const char* wall, double x, double radius) {
-  return {{"wall", wall}, {"x", x}, {"radius", radius}};
-}
-
-json cell(double x, double y, double angle = 90) {
-  return {{"x", x}, {"y", y}, {"angle", angle}};
-}
-
 json branch(double length, double diameter) {
   return {{"length", length}, {"diameter", diameter}};
 }

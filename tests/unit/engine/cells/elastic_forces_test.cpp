@@ -54,16 +54,26 @@ TEST_P(ElasticForces, AreMinusTheGradientOfTheEnergy) {
   }
 }
 
+struct Resultant {
+  double fx = 0, fy = 0, torque = 0;
+  double scale = 0;  ///< sum of the forces' magnitudes
+};
+
+Resultant resultant(const Nodes& nodes, const Nodes& force) {
+  Resultant sum;
+  for (std::size_t i = 0; i < nodes.x.size(); ++i) {
+    sum.fx += force.x[i];
+    sum.fy += force.y[i];
+    sum.torque += nodes.x[i] * force.y[i] - nodes.y[i] * force.x[i];
+    sum.scale += std::hypot(force.x[i], force.y[i]);
+  }
+  return sum;
+}
+
 TEST_P(ElasticForces, AddUpToNoForceAndNoTorque) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
     const Nodes nodes = random_ring(seed), force = forces(nodes.ring());
-    double fx = 0.0, fy = 0.0, torque = 0.0, scale = 0.0;
-    for (std::size_t i = 0; i < nodes.x.size(); ++i) {
-      fx += force.x[i];
-      fy += force.y[i];
-      torque += nodes.x[i] * force.y[i] - nodes.y[i] * force.x[i];
-      scale += std::hypot(force.x[i], force.y[i]);
-    }
+    const auto [fx, fy, torque, scale] = resultant(nodes, force);
     ASSERT_GT(scale, 0.0);
     EXPECT_NEAR(fx, 0.0, 1e-13 * scale);
     EXPECT_NEAR(fy, 0.0, 1e-13 * scale);
@@ -111,13 +121,7 @@ TEST(PrintedBending, AddsUpToNoForceButToATorque) {
     const Nodes nodes = random_ring(seed);
     Nodes force{std::vector<double>(nodes.x.size(), 0.0), std::vector<double>(nodes.x.size(), 0.0)};
     add_printed_bending_forces(nodes.ring(), material, force.x, force.y);
-    double fx = 0.0, fy = 0.0, torque = 0.0, scale = 0.0;
-    for (std::size_t i = 0; i < nodes.x.size(); ++i) {
-      fx += force.x[i];
-      fy += force.y[i];
-      torque += nodes.x[i] * force.y[i] - nodes.y[i] * force.x[i];
-      scale += std::hypot(force.x[i], force.y[i]);
-    }
+    const auto [fx, fy, torque, scale] = resultant(nodes, force);
     EXPECT_NEAR(fx, 0.0, 1e-13 * scale);
     EXPECT_NEAR(fy, 0.0, 1e-13 * scale);
     largest_torque = std::max(largest_torque, std::fabs(torque) / scale);

@@ -3,9 +3,10 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+
+#include "tests/unit/engine/linear/dense_matrices.h"
 
 namespace rouleau::linear {
 namespace {
@@ -13,30 +14,9 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-SparseRows sparse(const Matrix& a) {
-  SparseRows rows;
-  rows.clear();
-  for (int i = 0; i < a.rows(); ++i) {
-    for (int j = 0; j < a.cols(); ++j) {
-      if (i != j && a(i, j) != 0) rows.add(j, static_cast<float>(a(i, j)));
-    }
-    rows.end_row(a(i, i));
-  }
-  return rows;
-}
-
 Solve solve(const Matrix& a, const Vector& b, Vector& x, double tolerance, int most = 500) {
   const auto n = static_cast<std::size_t>(b.size());
   return JacobiCg().solve(sparse(a), {b.data(), n}, {x.data(), n}, tolerance, most);
-}
-
-/// Symmetric, exact in float, its eigenvalues from 1 up.
-Matrix random_positive(int n) {
-  Matrix a = Matrix::Random(n, n);
-  a = (a + a.transpose()).eval().cast<float>().cast<double>();
-  const double lowest = Eigen::SelfAdjointEigenSolver<Matrix>(a).eigenvalues()[0];
-  a.diagonal().array() += 1 - lowest;
-  return a;
 }
 
 /// -d2/dx2 between two walls; without the end that is held only its differences count.
@@ -54,7 +34,7 @@ TEST(JacobiCg, AgreesWithADenseSolve) {
   EXPECT_TRUE(rc::check([] {
     std::srand(*rc::gen::arbitrary<unsigned>());
     const int n = *rc::gen::inRange(1, 50);
-    const Matrix a = random_positive(n);
+    const Matrix a = random_symmetric(n, 1);
     const Vector b = Vector::Random(n), exact = a.ldlt().solve(b);
     Vector x = *rc::gen::arbitrary<bool>() ? Vector(Vector::Zero(n)) : Vector(Vector::Random(n));
     RC_ASSERT(solve(a, b, x, 1e-10).converged);

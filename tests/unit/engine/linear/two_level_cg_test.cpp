@@ -3,27 +3,16 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
+
+#include "tests/unit/engine/linear/dense_matrices.h"
 
 namespace rouleau::linear {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
-
-SparseRows sparse(const Matrix& a) {
-  SparseRows rows;
-  rows.clear();
-  for (int i = 0; i < a.rows(); ++i) {
-    for (int j = 0; j < a.cols(); ++j) {
-      if (i != j && a(i, j) != 0) rows.add(j, static_cast<float>(a(i, j)));
-    }
-    rows.end_row(a(i, i));
-  }
-  return rows;
-}
 
 std::vector<int> aggregates_of(int n, int count) {
   std::vector<int> aggregate;
@@ -38,15 +27,6 @@ Solve solve(const SparseRows& rows, const std::vector<int>& aggregate, int aggre
   solver.prepare(rows, grouping);
   const auto n = static_cast<std::size_t>(b.size());
   return solver.solve({b.data(), n}, {x.data(), n}, tolerance, most);
-}
-
-/// Symmetric, exact in float, its eigenvalues from `least` up.
-Matrix random_symmetric(int n, double least) {
-  Matrix a = Matrix::Random(n, n);
-  a = (a + a.transpose()).eval().cast<float>().cast<double>();
-  const double lowest = Eigen::SelfAdjointEigenSolver<Matrix>(a).eigenvalues()[0];
-  a.diagonal().array() += least - lowest;
-  return a;
 }
 
 TEST(TwoLevelCg, AgreesWithADenseSolve) {

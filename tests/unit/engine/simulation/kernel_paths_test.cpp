@@ -2,6 +2,7 @@
 
 #include "engine/simd/kernels.h"
 #include "engine/simulation/simulation.h"
+#include "tests/unit/engine/simulation/same_particles.h"
 #include "tests/unit/engine/simulation/scenes.h"
 
 namespace rouleau {
@@ -19,13 +20,7 @@ particles::ParticleSet after_steps(const Case& scene, simd::Path path) {
 TEST(KernelPaths, GiveTheSameBits) {
   if (!simd::available(simd::Path::avx2)) GTEST_SKIP() << "this processor has no AVX2";
   for (const Case& scene : {coarse_vessel(), coarse_vessel_with_cells()}) {
-    const auto plain = after_steps(scene, simd::Path::plain), fast = after_steps(scene, simd::Path::avx2);
-    EXPECT_EQ(plain.id, fast.id);
-    EXPECT_EQ(plain.x, fast.x);
-    EXPECT_EQ(plain.y, fast.y);
-    EXPECT_EQ(plain.u, fast.u);
-    EXPECT_EQ(plain.v, fast.v);
-    EXPECT_EQ(plain.p, fast.p);
+    expect_same_particles(after_steps(scene, simd::Path::plain), after_steps(scene, simd::Path::avx2));
   }
 }
 

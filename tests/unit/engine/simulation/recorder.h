@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/simulation/run.h"
 
 namespace rouleau {
@@ -24,5 +26,11 @@ struct Recorder : Output {
   void frame(const Frame& frame) override { frames.push_back(frame); }
   void progress(const Progress& progress) override { told.push_back(progress); }
 };
+
+/// A summary without what depends on the machine's speed.
+inline nlohmann::json timeless(nlohmann::json summary) {
+  for (const char* name : {"wall_time", "steps_per_second", "effect_times"}) summary.erase(name);
+  return summary;
+}
 
 }  // namespace rouleau

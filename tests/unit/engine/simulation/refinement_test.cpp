@@ -69,16 +69,20 @@ TEST_F(Refined, TheNodesOfBeforeAreFoundAgain) {
   }
 }
 
-// Limp as a soap film: the perimeter doubles within a vessel's length.
-TEST(ThinCells, AreComputedWithFinerSpacings) {
+/// Limp as a soap film: the perimeter doubles within a vessel's length.
+Case limp_cell(Refine refine) {
   Case scene = coarse_vessel_with_cells();
   scene.vessel.length = 40e-6;
   scene.numerics.spacing = 5e-7;
-  scene.numerics.refine = Refine::automatic;
+  scene.numerics.refine = refine;
   scene.cells[0].stretch_modulus = 1e-7;
   scene.cells[0].bend_modulus = 4.8e-20;
   scene.duration = 4e-3;
-  Simulation simulation(scene);
+  return scene;
+}
+
+TEST(ThinCells, AreComputedWithFinerSpacings) {
+  Simulation simulation(limp_cell(Refine::automatic));
   while (!simulation.finished() && simulation.state().spacing == simulation.state().start_spacing)
     simulation.step();
   ASSERT_FALSE(simulation.refinements().empty());
@@ -90,14 +94,7 @@ TEST(ThinCells, AreComputedWithFinerSpacings) {
 }
 
 TEST(ThinCells, EndARunThatMayNotRefine) {
-  Case scene = coarse_vessel_with_cells();
-  scene.vessel.length = 40e-6;
-  scene.numerics.spacing = 5e-7;
-  scene.numerics.refine = Refine::off;
-  scene.cells[0].stretch_modulus = 1e-7;
-  scene.cells[0].bend_modulus = 4.8e-20;
-  scene.duration = 4e-3;
-  Simulation simulation(scene);
+  Simulation simulation(limp_cell(Refine::off));
   try {
     while (!simulation.finished()) simulation.step();
     FAIL() << "it went on";
