@@ -30,10 +30,13 @@ class ThinCells : public Effect {
       if (state.cells[k].departure) continue;
       const cells::Ring ring = state.ring(state.cells[k]);
       const double thickness = 2 * cells::area(ring) / cells::perimeter(ring);
-      const bool thin = thickness < seen_coming * state.spacing;
+      // A membrane that fades before an outlet holds nothing that a film of particles would have to carry.
+      const bool carried = state.cells[k].presence == 1;
+      const bool thin = carried && thickness < seen_coming * state.spacing;
       const double finer = thin ? finer_spacing(state, thickness) : state.spacing;
       const bool refine = state.scene.numerics.refine == Refine::automatic && finer < 0.99 * state.spacing;
-      if (thickness < least * state.spacing && !refine) throw too_thin(state, static_cast<int>(k), thickness);
+      if (carried && thickness < least * state.spacing && !refine)
+        throw too_thin(state, static_cast<int>(k), thickness);
       if (!refine && !uneven(state, state.cells[k], ring)) continue;
       state.wanted_spacing =
           std::min(refine ? finer : state.spacing, state.wanted_spacing > 0 ? state.wanted_spacing : 1e300);
