@@ -16,8 +16,20 @@ std::string thinness(int cell, const effects::CellExtremes& extremes, double uni
   text << std::setprecision(3) << "cell " << cell << " was squeezed to " << extremes.least_thickness
        << " spacings (twice its area over its perimeter) at t = " << extremes.thinnest_time * unit_time * 1e3
        << " ms; below " << effects::thin << " its particles cannot carry it: a spacing of "
-       << extremes.least_thickness * spacing / effects::thin << " m would";
+       << extremes.least_thickness * spacing / effects::thin * 1e6 << " um would";
   return text.str();
+}
+
+/// The spacing (m) at a time (s); 0 if a finer one was taken there and then, which is the cure.
+double spacing_before(double time, double spacing, const std::vector<Refinement>& refinements) {
+  constexpr double rounding = 1e-9;
+  for (const Refinement& refinement : refinements) {
+    if (refinement.time > time * (1 + rounding)) break;
+    const bool then = refinement.time > time * (1 - rounding);
+    if (then && refinement.spacing < spacing * (1 - rounding)) return 0;
+    spacing = refinement.spacing;
+  }
+  return spacing;
 }
 
 std::string drift(int cell, const effects::CellExtremes& extremes) {
@@ -48,8 +60,10 @@ void report_watch(const effects::State& state, RunSummary& summary) {
     if (cell.area_drift > effects::area_warning) {
       summary.warnings.push_back(drift(static_cast<int>(c), cell));
     }
-    if (cell.least_thickness < effects::thin) {
-      summary.warnings.push_back(thinness(static_cast<int>(c), cell, s.time(), state.spacing * s.length));
+    const double spacing =
+        spacing_before(cell.thinnest_time * s.time(), state.start_spacing * s.length, summary.refinements);
+    if (cell.least_thickness < effects::thin && spacing > 0) {
+      summary.warnings.push_back(thinness(static_cast<int>(c), cell, s.time(), spacing));
     }
   }
   summary.watched.push_back({"change of area", worst.area_drift, effects::area_bound, "1"});

@@ -5,7 +5,8 @@
 
 namespace rouleau {
 
-/// What the watch saw, into the summary: the worst of every watched quantity, and warnings.
+/// What the watch saw, into the summary, whose refinements are there: the worst of every watched quantity,
+/// and warnings.
 void report_watch(const effects::State& state, RunSummary& summary);
 
 }  // namespace rouleau
