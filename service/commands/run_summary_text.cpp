@@ -105,7 +105,7 @@ std::string describe_effect_times(const nlohmann::json& times) {
   std::string text;
   for (const auto& [seconds, name] : parts) {
     text +=
-        fmt::format("  {:24} {:8.2f} s {:5.1f} %\n", name, seconds, total > 0 ? 100 * seconds / total : 0.0);
+        fmt::format("  {:28} {:8.2f} s {:5.1f} %\n", name, seconds, total > 0 ? 100 * seconds / total : 0.0);
   }
   return text.empty() ? text : "time per effect:\n" + text;
 }
@@ -113,7 +113,7 @@ std::string describe_effect_times(const nlohmann::json& times) {
 std::string describe_refinements(const nlohmann::json& refinements) {
   std::string text;
   for (const auto& refinement : refinements) {
-    text += fmt::format("at {:.4g} ms, for cell {:.0f}: spacing {:.3g} um, its membrane's nodes anew\n",
+    text += fmt::format("at {:.4g} ms the membrane of cell {:.0f} got new nodes, at a spacing of {:.3g} um\n",
                         1e3 * number(refinement, "time"), number(refinement, "cell"),
                         1e6 * number(refinement, "spacing"));
   }

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
 
 namespace rouleau::storage::hdf5 {
 
@@ -14,23 +15,24 @@ std::mutex& library_mutex() {
 }
 
 struct Report {
-  std::string cause;         // the innermost entry of the error stack
-  std::string system_cause;  // the one with an errno, if any
+  std::string cause;     // the innermost entry of the error stack
+  int system_error = 0;  // the errno in it, if it has one
 };
 
 herr_t collect(unsigned, const H5E_error2_t* entry, void* target) {
   auto& report = *static_cast<Report*>(target);
   const std::string text = entry->desc == nullptr ? "" : entry->desc;
   if (report.cause.empty()) report.cause = text;
-  if (report.system_cause.empty() && text.find("errno = ") != std::string::npos) report.system_cause = text;
+  constexpr std::string_view key = "errno = ";
+  const auto at = text.find(key);
+  if (report.system_error == 0 && at != std::string::npos) {
+    report.system_error = std::atoi(text.c_str() + at + key.size());
+  }
   return 0;
 }
 
-ArchiveError::Kind kind_of(const std::string& system_cause) {
-  constexpr std::string_view key = "errno = ";
-  const auto at = system_cause.find(key);
-  if (at == std::string::npos) return ArchiveError::Kind::format;
-  const int code = std::atoi(system_cause.c_str() + at + key.size());
+ArchiveError::Kind kind_of(int code) {
+  if (code == 0) return ArchiveError::Kind::format;
   const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
   return full ? ArchiveError::Kind::disk_full : ArchiveError::Kind::io;
 }
@@ -45,8 +47,9 @@ Session::Session() : lock_(library_mutex()) {
 ArchiveError last_error(const std::string& what) {
   Report report;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, collect, &report);
-  const std::string& cause = report.system_cause.empty() ? report.cause : report.system_cause;
-  return ArchiveError(kind_of(report.system_cause), what + ": " + cause);
+  const int code = report.system_error;
+  return ArchiveError(kind_of(code),
+                      what + ": " + (code == 0 ? report.cause : std::generic_category().message(code)));
 }
 
 }  // namespace rouleau::storage::hdf5
