@@ -23,6 +23,8 @@ export interface CellSummary {
   peak_tau: number;
   least_tau: number;
   area_deviation: number;
+  /** Once it has left the vessel; s. */
+  departure?: { time: number; outlet: number } | null;
 }
 
 export interface Summary {
@@ -33,6 +35,7 @@ export interface Summary {
   wall_time: number;
   steps_per_second: number;
   cells: CellSummary[];
+  warnings?: string[];
 }
 
 export interface JobError {
@@ -61,9 +64,26 @@ export interface Thrombus {
   radius: number;
 }
 
+export interface Tube {
+  length: number;
+  diameter: number;
+}
+
+/** Straight with `length` and `diameter`, a box, or a bifurcation. */
+export interface Vessel extends Partial<Tube> {
+  shape?: "straight" | "box" | "bifurcation";
+  ends?: string;
+  width?: number;
+  height?: number;
+  trunk?: Tube;
+  branches?: Tube | Tube[];
+  /** degrees */
+  half_angle?: number;
+}
+
 export interface Case {
   name?: string;
-  vessel: { shape?: string; length: number; diameter: number };
+  vessel: Vessel;
   thrombi?: Thrombus[];
   cells?: { x: number; y: number }[];
   duration: number;

@@ -1,6 +1,6 @@
 import { h } from "./dom.ts";
 import * as format from "./format.ts";
-import type { JobError, Summary } from "./model.ts";
+import type { CellSummary, JobError, Summary } from "./model.ts";
 import { faultList } from "./problem_box.ts";
 
 function facts(pairs: [string, string][]): HTMLElement {
@@ -9,6 +9,10 @@ function facts(pairs: [string, string][]): HTMLElement {
     { class: "facts" },
     ...pairs.map(([term, value]) => h("div", {}, h("dt", {}, term), h("dd", {}, value))),
   );
+}
+
+function departureFact(cell: CellSummary, term: string): [string, string][] {
+  return cell.departure ? [[term, `at ${format.milliseconds(cell.departure.time)}`]] : [];
 }
 
 /** What an ended run comes to. */
@@ -23,6 +27,7 @@ export function summaryBox(summary: Summary): HTMLElement {
       ],
       [`τ${suffix}, least to peak`, `${cell.least_tau.toFixed(3)} to ${cell.peak_tau.toFixed(3)}`],
       [`Enclosed area${suffix}`, `held within ${(cell.area_deviation * 100).toFixed(2)} %`],
+      ...departureFact(cell, many ? `Cell ${k} left` : "Left the vessel"),
     ];
   });
   return h(
@@ -34,6 +39,9 @@ export function summaryBox(summary: Summary): HTMLElement {
       ["Simulated", format.milliseconds(summary.simulated_time)],
       ["Computed in", `${format.duration(summary.wall_time)} (${format.stepRate(summary.steps_per_second)})`],
     ]),
+    ...(summary.warnings ?? []).map((warning) =>
+      h("p", { class: "quiet" }, h("strong", {}, "Warning: "), format.sentence(warning)),
+    ),
   );
 }
 

@@ -2,10 +2,13 @@ import { readTheme, speedColour, type Theme } from "./colours.ts";
 import { h } from "./dom.ts";
 import { areaAndCentroid, mapToWidth, niceStep, stretchAbout, type Mapping } from "./geometry.ts";
 import type { Case, Outline, Particles } from "./model.ts";
+import { imagesInSight, vesselShape, type Point, type VesselShape } from "./vessel_shape.ts";
 
 const margins = { left: 14, right: 14, top: 8, bottom: 34 };
 /** Thickness of the wall as drawn, px. */
 const wall = 5;
+/** The vessel is drawn no taller than this, px. */
+const tallest = 640;
 /** Width of the close-up, in vessel diameters. */
 const closeUpWidth = 4;
 const colourSteps = 24;
@@ -22,10 +25,21 @@ export interface Scene {
   topSpeed: number;
 }
 
-function trace(context: CanvasRenderingContext2D, map: Mapping, outline: Outline): void {
+function trace(context: CanvasRenderingContext2D, map: Mapping, shape: VesselShape, outline: Outline): void {
   context.beginPath();
-  outline.x.forEach((x, i) => context.lineTo(map.toX(x), map.toY(outline.y[i]!)));
-  context.closePath();
+  for (const [dx, dy] of imagesInSight(outline, shape)) {
+    outline.x.forEach((x, i) => {
+      const [left, up] = [map.toX(x + dx), map.toY(outline.y[i]! + dy)];
+      if (i === 0) context.moveTo(left, up);
+      else context.lineTo(left, up);
+    });
+    context.closePath();
+  }
+}
+
+function tracePoints(context: CanvasRenderingContext2D, map: Mapping, points: Point[]): void {
+  context.beginPath();
+  for (const { x, y } of points) context.lineTo(map.toX(x), map.toY(y));
 }
 
 function drawParticles(
@@ -52,10 +66,11 @@ function drawParticles(
 function drawPastCell(
   context: CanvasRenderingContext2D,
   map: Mapping,
+  shape: VesselShape,
   outline: Outline,
   colour: string,
 ): void {
-  trace(context, map, outline);
+  trace(context, map, shape, outline);
   context.globalAlpha = 0.5;
   context.strokeStyle = colour;
   context.lineWidth = 1;
@@ -67,11 +82,12 @@ function drawPastCell(
 function drawCell(
   context: CanvasRenderingContext2D,
   map: Mapping,
+  shape: VesselShape,
   outline: Outline,
   colour: string,
   overParticles: boolean,
 ): void {
-  trace(context, map, outline);
+  trace(context, map, shape, outline);
   if (overParticles) {
     context.strokeStyle = "white";
     context.lineWidth = 5;
@@ -87,21 +103,30 @@ function drawCell(
   context.stroke();
 }
 
-function drawThrombi(context: CanvasRenderingContext2D, map: Mapping, scene: Case, theme: Theme): void {
+/** Whole discs: the half behind the wall is clipped away. */
+function drawThrombi(context: CanvasRenderingContext2D, map: Mapping, shape: VesselShape, theme: Theme): void {
   context.fillStyle = theme.tissue;
   context.strokeStyle = theme.text;
   context.lineWidth = 1.5;
-  for (const thrombus of scene.thrombi ?? []) {
-    const lower = thrombus.wall === "lower";
+  for (const { x, y, radius } of shape.thrombi) {
     context.beginPath();
-    context.arc(
-      map.toX(thrombus.x),
-      map.toY(lower ? 0 : scene.vessel.diameter),
-      thrombus.radius * map.scale,
-      lower ? Math.PI : 0,
-      lower ? 2 * Math.PI : Math.PI,
-    );
+    context.arc(map.toX(x), map.toY(y), radius * map.scale, 0, 2 * Math.PI);
     context.fill();
+    context.stroke();
+  }
+}
+
+function strokeWalls(
+  context: CanvasRenderingContext2D,
+  map: Mapping,
+  shape: VesselShape,
+  colour: string,
+  width: number,
+): void {
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  for (const points of shape.walls) {
+    tracePoints(context, map, points);
     context.stroke();
   }
 }
@@ -111,11 +136,12 @@ function drawAxis(
   map: Mapping,
   from: number,
   to: number,
+  bottom: number,
   theme: Theme,
 ): void {
   const pixels = (to - from) * map.scale;
   const step = niceStep(to - from, Math.max(2, Math.floor(pixels / 85)));
-  const y = map.toY(0) + wall;
+  const y = bottom + wall;
   context.fillStyle = theme.quiet;
   context.strokeStyle = theme.quiet;
   context.lineWidth = 1;
@@ -138,7 +164,8 @@ function drawAxis(
   }
 }
 
-/** The vessel to scale: walls, thrombi, particles coloured by speed, the cells and where they were. */
+/** The vessel to scale: walls, thrombi, particles coloured by speed, the cells and where they were, in a periodic
+ * vessel beyond the seam, too. */
 export class VesselView {
   readonly canvas = h("canvas", { role: "img", "aria-label": "The vessel and its cells" });
   private scene: Scene | undefined;
@@ -160,21 +187,23 @@ export class VesselView {
     this.request = requestAnimationFrame(() => this.draw());
   }
 
-  private window(scene: Scene): [number, number] {
-    const { length, diameter } = scene.vessel.vessel;
-    if (!scene.closeUp) return [0, length];
+  private window(scene: Scene, shape: VesselShape): [number, number] {
+    if (!scene.closeUp) return [shape.x0, shape.x1];
     const first = scene.cells.find((cell) => cell.x.length > 0);
     const centre = first ? areaAndCentroid(first.x, first.y).x : (scene.vessel.cells?.[0]?.x ?? 0);
-    return stretchAbout(centre, closeUpWidth * diameter, length);
+    return stretchAbout(centre, closeUpWidth * shape.diameter, shape.x1);
   }
 
   private draw(): void {
     const { scene, canvas } = this;
     const width = this.element.clientWidth;
     if (!scene || width === 0) return;
-    const { diameter } = scene.vessel.vessel;
-    const [x0, x1] = this.window(scene);
-    const map = mapToWidth({ x0, x1, y0: 0, y1: diameter }, width, margins);
+    const shape = vesselShape(scene.vessel);
+    const [x0, x1] = this.window(scene, shape);
+    const { y0, y1 } = shape;
+    const spare = Math.max(0, width - margins.left - margins.right - (tallest * (x1 - x0)) / (y1 - y0)) / 2;
+    const sides = { ...margins, left: margins.left + spare, right: margins.right + spare };
+    const map = mapToWidth({ x0, x1, y0, y1 }, width, sides);
     const ratio = window.devicePixelRatio || 1;
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(map.height * ratio);
@@ -184,38 +213,35 @@ export class VesselView {
 
     const theme = readTheme();
     const [left, right] = [map.toX(x0), map.toX(x1)];
-    const [top, bottom] = [map.toY(diameter), map.toY(0)];
-    context.fillStyle = theme.tissue;
-    context.fillRect(left, top - wall, right - left, bottom - top + 2 * wall);
-    context.fillStyle = theme.lumen;
-    context.fillRect(left, top, right - left, bottom - top);
-
+    const [top, bottom] = [map.toY(y1), map.toY(y0)];
     context.save();
     context.beginPath();
-    context.rect(left, top, right - left, bottom - top);
+    const [from, to] = [x0 > shape.x0 ? left : left - wall, x1 < shape.x1 ? right : right + wall];
+    context.rect(from, top - wall, to - from, bottom - top + 2 * wall);
+    context.clip();
+    strokeWalls(context, map, shape, theme.tissue, 2 * wall);
+
+    context.save();
+    tracePoints(context, map, shape.lumen);
+    context.fillStyle = theme.lumen;
+    context.fill();
     context.clip();
     if (scene.particles) {
-      const spacing = Math.sqrt((scene.vessel.vessel.length * diameter) / scene.particles.x.length);
+      const spacing = Math.sqrt(shape.area / scene.particles.x.length);
       drawParticles(context, map, scene.particles, scene.topSpeed, Math.max(1, spacing * map.scale));
     }
-    drawThrombi(context, map, scene.vessel, theme);
+    drawThrombi(context, map, shape, theme);
     const colour = (k: number) => theme.cells[k % theme.cells.length]!;
     const overParticles = scene.particles !== undefined;
     for (const past of scene.trail) {
-      past.forEach((cell, k) => drawPastCell(context, map, cell, overParticles ? "white" : colour(k)));
+      past.forEach((cell, k) => drawPastCell(context, map, shape, cell, overParticles ? "white" : colour(k)));
     }
-    scene.cells.forEach((cell, k) => drawCell(context, map, cell, colour(k), overParticles));
+    scene.cells.forEach((cell, k) => drawCell(context, map, shape, cell, colour(k), overParticles));
     context.restore();
 
-    context.strokeStyle = theme.text;
-    context.lineWidth = 1.5;
-    for (const y of [top, bottom]) {
-      context.beginPath();
-      context.moveTo(left, y);
-      context.lineTo(right, y);
-      context.stroke();
-    }
-    drawAxis(context, map, x0, x1, theme);
+    strokeWalls(context, map, shape, theme.text, 1.5);
+    context.restore();
+    drawAxis(context, map, x0, x1, bottom, theme);
   }
 
   dispose(): void {

@@ -208,6 +208,33 @@ test("a job that went unstable says why, and shows and leaves what it computed",
   assert.ok((await readFile(await archive.path())).length > 1000);
 });
 
+test("a bifurcation and a box are drawn, too", async () => {
+  const shapes = [
+    { shape: "bifurcation", trunk: { length: 30e-6, diameter: 16e-6 }, branches: { length: 20e-6, diameter: 8e-6 } },
+    { shape: "box", width: 20e-6, height: 20e-6, wall_velocity: { upper: 0.01 } },
+  ];
+  for (const vessel of shapes) {
+    await page.getByRole("link", { name: "Jobs" }).first().click();
+    await changeNextCase((scene) => {
+      scene.vessel = vessel;
+      scene.thrombi = [];
+      scene.cells = [{ x: 8e-6, y: 8e-6, diameter: 5e-6 }];
+      if (vessel.shape === "box") for (const name of ["inflow", "outflow"]) delete scene[name];
+      scene.duration = 5e-5;
+      scene.numerics = { preset: "draft" };
+      scene.output = { frame_interval: 1e-5 };
+    });
+    await page.getByRole("button", { name: "Run the example" }).click();
+    await page.waitForURL(/#\/jobs\//);
+    assert.equal(await endState(longestRun), "succeeded", await page.locator(".job header").innerText());
+    await page.waitForTimeout(300);
+    const cell = await cellPixels(page, ".vessel canvas");
+    assert.ok(cell.count > 100, `${vessel.shape}: an outline of ${cell.count} pixels`);
+    const height = await page.locator(".vessel canvas").evaluate((canvas) => canvas.clientHeight);
+    assert.ok(height > 300 && height < 700, `${vessel.shape}: ${height} px tall`);
+  }
+});
+
 test("nothing was complained of, and nothing asked of anyone else", () => {
   assert.deepEqual(complaints, []);
 });
