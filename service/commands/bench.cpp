@@ -40,20 +40,20 @@ nlohmann::json to_json(const BenchPoint& point) {
 
 /// A column a size, a row an effect; points of one preset.
 void print(const std::vector<BenchPoint>& points) {
-  std::cout << fmt::format("preset {}, {} kernels, {} steps; million particles x steps a second\n\n{:24}",
+  std::cout << fmt::format("preset {}, {} kernels, {} steps; million particles x steps a second\n\n{:28}",
                            points.front().preset, kernels_in_use(), points.front().steps, "particles");
   for (const BenchPoint& point : points) std::cout << fmt::format("{:>10}", point.particles);
   for (std::size_t k = 0; k < points.front().effects.size(); ++k) {
-    std::cout << fmt::format("\n{:24}", points.front().effects[k].name);
+    std::cout << fmt::format("\n{:28}", points.front().effects[k].name);
     for (const BenchPoint& point : points) {
       std::cout << fmt::format("{:>10.4g}", 1e-6 * updates_per_second(point, point.effects[k].seconds));
     }
   }
-  std::cout << fmt::format("\n{:24}", "all");
+  std::cout << fmt::format("\n{:28}", "all");
   for (const BenchPoint& point : points) {
     std::cout << fmt::format("{:>10.4g}", 1e-6 * updates_per_second(point, point.seconds));
   }
-  std::cout << fmt::format("\n{:24}", "ms a step");
+  std::cout << fmt::format("\n{:28}", "ms a step");
   for (const BenchPoint& point : points) {
     std::cout << fmt::format("{:>10.4g}", 1e3 * point.seconds / point.steps);
   }

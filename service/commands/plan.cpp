@@ -17,7 +17,7 @@ namespace {
 
 void print(const Plan& plan) {
   for (const PlannedEffect& effect : plan.effects) {
-    std::cout << fmt::format("{:3} {:24} {:10} {}{}\n", effect.on ? "on" : "off", effect.name, effect.stage,
+    std::cout << fmt::format("{:3} {:28} {:10} {}{}\n", effect.on ? "on" : "off", effect.name, effect.stage,
                              effect.reason, effect.pointer.empty() ? "" : " (" + effect.pointer + ")");
   }
   std::cout << fmt::format(

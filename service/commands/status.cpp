@@ -33,6 +33,9 @@ int status(const ClientOptions& options, const std::string& id, bool json) {
   }
   if (!id.empty()) {
     print_line(answer);
+    if (const auto error = answer.find("error"); error != answer.end() && error->is_object()) {
+      std::cout << error->value("message", "") << '\n';
+    }
     return exit_done;
   }
   for (const auto& job : answer.at("jobs")) print_line(job);

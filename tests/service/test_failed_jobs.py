@@ -73,6 +73,7 @@ def test_it_is_fetched_and_followed_from_the_command_line(service, failed, tmp_p
     followed = call("wait", failed["id"])
     assert followed.returncode == 1 and failed["error"]["message"] in followed.stderr
     assert "went unstable" in followed.stdout and "cell 0: peak velocity" in followed.stdout
+    assert failed["error"]["message"] in call("status", failed["id"]).stdout
     assert call("fetch", failed["id"], "-o", "got.h5").returncode == 0
     with h5py.File(tmp_path / "got.h5") as archive:
         assert "series" in archive
