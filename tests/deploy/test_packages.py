@@ -20,7 +20,7 @@ def test_each_group_is_sorted():
 
 def test_each_package_is_used():
     listed = ROOT / "deploy/packages.txt"
-    kinds = (".cpp", ".h", ".txt", ".json", ".py", ".ts", "run", "install", "test")
+    kinds = (".cpp", ".h", ".txt", ".cmake", ".json", ".py", ".ts", "run", "install", "test")
     text = "\n".join(path.read_text(errors="replace") for path in source_files(*kinds) if path != listed)
     unused = [f"{package}: {mark}" for _, package, mark in packages() if not mark or mark not in text]
     assert unused == []
