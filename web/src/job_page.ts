@@ -47,6 +47,7 @@ export function jobPage(id: string): View {
         const job = await getJob(id, signal);
         head.update(job);
         showPlayer(job);
+        player?.mark(job.error);
         // A job that has not started has no results, and one that did not succeed may have lost them.
         if (job.started_at) {
           try {

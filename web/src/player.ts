@@ -2,9 +2,10 @@ import { onThemeChange, speedColour } from "./colours.ts";
 import { h, setText } from "./dom.ts";
 import * as format from "./format.ts";
 import { niceStep, trailIndices } from "./geometry.ts";
-import type { Case, FrameList, Outline, Particles } from "./model.ts";
+import type { Case, FrameList, JobError, Outline, Particles } from "./model.ts";
 import { ParticleStore } from "./particle_store.ts";
 import { Playback } from "./playback.ts";
+import type { Point } from "./vessel_shape.ts";
 import { VesselView } from "./vessel_view.ts";
 
 /** At most this many past outlines; the study's figures show as many. */
@@ -43,6 +44,7 @@ export class Player {
   private particles: Particles | undefined;
   private particlesOf = 0;
   private topSpeed = 0;
+  private breach: Point | undefined;
 
   constructor(
     id: string,
@@ -98,6 +100,13 @@ export class Player {
     this.playback.setTimes(list.times.slice(0, this.outlines.length));
   }
 
+  /** Shows with the last frame where the run went unstable. */
+  mark(error: JobError | null | undefined): void {
+    if (this.breach || error?.x === undefined || error.y === undefined) return;
+    this.breach = { x: error.x, y: error.y };
+    this.draw();
+  }
+
   private trailOf(index: number): number[] {
     const step = niceStep(this.scene.duration, trailLength);
     return trailIndices(this.playback.times.slice(0, index + 1), step).filter((k) => k < index);
@@ -137,6 +146,7 @@ export class Player {
       particles: this.particles,
       topSpeed: this.topSpeed || 1,
       closeUp: this.closeUp.checked,
+      breach: index === this.outlines.length - 1 ? this.breach : undefined,
     });
   }
 

@@ -9,6 +9,8 @@ const margins = { left: 14, right: 14, top: 8, bottom: 34 };
 const wall = 5;
 /** The vessel is drawn no taller than this, px. */
 const tallest = 640;
+/** Of the ring about the place of a breach, px. */
+const breachRadius = 12;
 /** Width of the close-up, in vessel diameters. */
 const closeUpWidth = 4;
 const colourSteps = 24;
@@ -23,6 +25,8 @@ export interface Scene {
   closeUp: boolean;
   /** The speed that the last colour stands for, m/s. */
   topSpeed: number;
+  /** Where the run went unstable, if that is to be seen. */
+  breach: Point | undefined;
 }
 
 function trace(context: CanvasRenderingContext2D, map: Mapping, shape: VesselShape, outline: Outline): void {
@@ -131,6 +135,17 @@ function strokeWalls(
   }
 }
 
+function drawBreach(context: CanvasRenderingContext2D, map: Mapping, breach: Point, theme: Theme): void {
+  context.beginPath();
+  context.arc(map.toX(breach.x), map.toY(breach.y), breachRadius, 0, 2 * Math.PI);
+  context.strokeStyle = theme.lumen;
+  context.lineWidth = 5;
+  context.stroke();
+  context.strokeStyle = theme.text;
+  context.lineWidth = 2;
+  context.stroke();
+}
+
 function drawAxis(
   context: CanvasRenderingContext2D,
   map: Mapping,
@@ -179,6 +194,8 @@ export class VesselView {
 
   show(scene: Scene): void {
     this.scene = scene;
+    const ring = scene.breach ? "; the ring is where the run went unstable" : "";
+    this.canvas.setAttribute("aria-label", `The vessel and its cells${ring}`);
     this.redraw();
   }
 
@@ -240,6 +257,7 @@ export class VesselView {
     context.restore();
 
     strokeWalls(context, map, shape, theme.text, 1.5);
+    if (scene.breach) drawBreach(context, map, scene.breach, theme);
     context.restore();
     drawAxis(context, map, x0, x1, bottom, theme);
   }

@@ -200,6 +200,9 @@ test("a job that went unstable says why, and shows and leaves what it computed",
   assert.match((await alert.textContent()) ?? "", /The run went unstable.*Allowed.*When.*Where.*Cell/s);
   await page.getByText("Peak velocity").waitFor();
   assert.ok(Number(await page.getByLabel("Simulated time").getAttribute("max")) >= 2, "it has its frames");
+  await page.getByLabel("The vessel and its cells; the ring is where the run went unstable").waitFor();
+  await page.getByLabel("Simulated time").fill("0");
+  await page.getByLabel("The vessel and its cells", { exact: true }).waitFor();
   await page.getByRole("button", { name: "series.csv" }).waitFor();
   const [archive] = await Promise.all([
     page.waitForEvent("download"),
