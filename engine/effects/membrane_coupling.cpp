@@ -22,7 +22,8 @@ struct ColourGradient {
   double x, y;
 };
 
-/// Outward normal of a membrane node, and the length of membrane that it stands for.
+/// Outward normal of a membrane node, and its length: together the gradient of the enclosed area by the
+/// node's position, so that what a pressure does to the nodes is a jump exactly.
 struct Facet {
   double nx, ny, length;
 };
@@ -172,9 +173,7 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     tx /= chord;
     ty /= chord;
     const double nx = ty, ny = -tx;  // outward, as the ring is counter-clockwise
-    const double length =
-        0.5 * (std::hypot(particles.x[after] - particles.x[node], particles.y[after] - particles.y[node]) +
-               std::hypot(particles.x[before] - particles.x[node], particles.y[before] - particles.y[node]));
+    const double length = chord / 2;
     facets_.push_back({nx, ny, length});
     const double jump = state.spacing * state.spacing / length;
 

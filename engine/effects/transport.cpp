@@ -20,6 +20,7 @@ class Transport : public Effect {
       fields_[4 * i + 2] = particles.p[i];
     }
     pressure_ = particles.p;
+    leave_out_jumps(state);
     leave_out_corner_flow(state);
     state.operators.field_gradients(fields_.data(), pressure_.data(), gradients_);
     average_membranes(state);
@@ -50,6 +51,41 @@ class Transport : public Effect {
   }
 
  private:
+  /// Across a membrane pressure jumps: a fit through both sides makes a slope of it, along which a particle
+  /// that is shifted would lose or gain pressure without end. So the fits are of p without each cell's mean
+  /// jump, between the particles next to its nodes.
+  void leave_out_jumps(const State& state) {
+    const auto& particles = state.particles;
+    const int nodes_end = particles.membrane_end(), n = particles.active_end();
+    for (std::size_t c = 0; c < state.cells.size(); ++c) {
+      const auto cell = static_cast<int>(c);
+      const double jump = mean_jump(state, cell);
+      for (int i = 0; i < n; ++i) {
+        if (particles.cell[i] != cell) continue;
+        fields_[4 * i + 2] -= i < nodes_end ? jump / 2 : jump;
+        pressure_[i] = fields_[4 * i + 2];
+      }
+    }
+  }
+
+  static double mean_jump(const State& state, int cell) {
+    const auto& particles = state.particles;
+    const auto& list = state.neighbours;
+    const CellState& of = state.cells[cell];
+    double inside = 0, outside = 0;
+    int within = 0, without = 0;
+    for (int node = of.first_node; node < of.first_node + of.nodes; ++node) {
+      for (int k = list.begin(node); k < list.near_end(node); ++k) {
+        const int j = list.j[k];
+        if (j < particles.membrane_end() || j >= particles.active_end()) continue;
+        const bool enclosed = particles.cell[j] == cell;
+        (enclosed ? inside : outside) += particles.p[j];
+        ++(enclosed ? within : without);
+      }
+    }
+    return within > 0 && without > 0 ? inside / within - outside / without : 0;
+  }
+
   /// Beside the corners of moving walls only what differs from the flow that is known there is fitted.
   void leave_out_corner_flow(const State& state) {
     if (!state.corner_flow) return;

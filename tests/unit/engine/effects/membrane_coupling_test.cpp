@@ -102,17 +102,14 @@ TEST_F(Coupling, TheFluidReceivesWhatEachNodeGives) {
   }
 }
 
-// As a surface tension's would be: it goes into the pressure, and moves nothing.
+// It goes into the pressure, and moves nothing: on a node it is the gradient of the enclosed area.
 TEST_F(Coupling, AnEvenPressureOnTheMembraneIsTheGradientOfItsColour) {
   const auto& p = state_.particles;
   const int nodes = p.membrane_end();
   for (int node = 0; node < nodes; ++node) {
     const int before = (node + nodes - 1) % nodes, after = (node + 1) % nodes;
-    const double tx = p.x[after] - p.x[before], ty = p.y[after] - p.y[before];
-    const double length = 0.5 * (std::hypot(p.x[after] - p.x[node], p.y[after] - p.y[node]) +
-                                 std::hypot(p.x[node] - p.x[before], p.y[node] - p.y[before]));
-    state_.load.fx[node] = 3 * length * ty / std::hypot(tx, ty);
-    state_.load.fy[node] = -3 * length * tx / std::hypot(tx, ty);
+    state_.load.fx[node] = 3 * (p.y[after] - p.y[before]) / 2;
+    state_.load.fy[node] = -3 * (p.x[after] - p.x[before]) / 2;
   }
   effect_->apply(state_);
   std::vector<double> jump(p.x.size(), 0), slope;

@@ -44,12 +44,10 @@ class TwoMembranes : public testing::Test {
       const int node = cell.first_node + q;
       const int before = cell.first_node + (q + cell.nodes - 1) % cell.nodes;
       const int after = cell.first_node + (q + 1) % cell.nodes;
-      const double chord = std::hypot(p.x[after] - p.x[before], p.y[after] - p.y[before]);
-      const double tx = (p.x[after] - p.x[before]) / chord, ty = (p.y[after] - p.y[before]) / chord;
-      const double length = 0.5 * (std::hypot(p.x[after] - p.x[node], p.y[after] - p.y[node]) +
-                                   std::hypot(p.x[before] - p.x[node], p.y[before] - p.y[node]));
-      state_.load.fx[node] = jump * length * (along ? tx : -ty);
-      state_.load.fy[node] = jump * length * (along ? ty : tx);
+      // Half the chord, along it and outwards.
+      const double tx = (p.x[after] - p.x[before]) / 2, ty = (p.y[after] - p.y[before]) / 2;
+      state_.load.fx[node] = jump * (along ? tx : -ty);
+      state_.load.fy[node] = jump * (along ? ty : tx);
     }
   }
 
