@@ -16,6 +16,7 @@ class Flow {
   void finish() { advance_to(state().scene.duration); }
 
   double time() const { return simulation_.time(); }  ///< s
+  bool finished() const { return simulation_.finished(); }
   const effects::State& state() const { return simulation_.state(); }
   const StepCounts& step_counts() const { return simulation_.step_counts(); }
   void step() { simulation_.step(); }

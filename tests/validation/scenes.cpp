@@ -21,22 +21,37 @@ const std::vector<Scene>& scenes() {
   const auto poiseuille = [](const char* name, Profile profile) {
     return Scene{name, "poiseuille", [profile](const Resolution& r) { return run_poiseuille(r, profile); }};
   };
-  static const std::vector<Scene> all{
-      {"couette_start", "couette_start", run_couette_start},
-      {"poiseuille_start", "poiseuille_start", run_poiseuille_start},
-      poiseuille("poiseuille_plug", Profile::plug),
-      poiseuille("poiseuille_parabolic", Profile::parabolic),
-      {"long_channel", "long_channel", run_long_channel},
-      {"womersley", "womersley", run_womersley},
-      {"taylor_green", "taylor_green", run_taylor_green},
-      {"hydrostatic", "hydrostatic", run_hydrostatic},
-      {"cavity_re100", "cavity_re100", run_cavity},
-      bump("bump_016", false),
-      bump("bump_032", false),
-      bump("bump_048", false),
-      bump("bump_pair", true),
-      {"bifurcation", "bifurcation", run_bifurcation},
-      {"bifurcation_unequal", "bifurcation_unequal", run_unequal_bifurcation}};
+  const auto ring = [](const char* name) {
+    return Scene{name, "elastic_ring_in_shear", [name](const Resolution& r) { return run_ring(r, name); }};
+  };
+  const auto vesicle = [](const char* name) {
+    return Scene{name, "vesicle_in_shear", [name](const Resolution& r) { return run_vesicle(r, name); }};
+  };
+  static const std::vector<Scene> all{{"couette_start", "couette_start", run_couette_start},
+                                      {"poiseuille_start", "poiseuille_start", run_poiseuille_start},
+                                      poiseuille("poiseuille_plug", Profile::plug),
+                                      poiseuille("poiseuille_parabolic", Profile::parabolic),
+                                      {"long_channel", "long_channel", run_long_channel},
+                                      {"womersley", "womersley", run_womersley},
+                                      {"taylor_green", "taylor_green", run_taylor_green},
+                                      {"hydrostatic", "hydrostatic", run_hydrostatic},
+                                      {"cavity_re100", "cavity_re100", run_cavity},
+                                      bump("bump_016", false),
+                                      bump("bump_032", false),
+                                      bump("bump_048", false),
+                                      bump("bump_pair", true),
+                                      {"bifurcation", "bifurcation", run_bifurcation},
+                                      {"bifurcation_unequal", "bifurcation_unequal", run_unequal_bifurcation},
+                                      ring("ring_soft"),
+                                      ring("ring_stiff"),
+                                      ring("ring_bending"),
+                                      vesicle("vesicle_090"),
+                                      vesicle("vesicle_080"),
+                                      vesicle("vesicle_080_ratio_2"),
+                                      vesicle("vesicle_080_ratio_4"),
+                                      {"vesicle_tumbling", "vesicle_in_shear", run_tumbling},
+                                      {"cell_in_channel", "cell_in_channel", run_cell_in_channel},
+                                      {"resting_cell", "resting_cell", run_resting_cell}};
   return all;
 }
 

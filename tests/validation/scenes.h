@@ -11,7 +11,7 @@ namespace rouleau::validation {
 
 /// What a scene is run at.
 struct Resolution {
-  int across = 25;  ///< particle spacings over the height of the vessel
+  int across = 25;  ///< particle spacings over the height of the vessel; in shear over the cell's diameter
   Preset preset = Preset::standard;
 };
 
@@ -21,6 +21,7 @@ struct Measurement {
   long steps = 0;
   int particles = 0;                                   ///< at the end, solved for
   std::vector<std::pair<std::string, double>> errors;  ///< name, and size relative to the reference
+  std::vector<std::pair<std::string, double>> values;  ///< what they are of, where that is worth knowing
 
   /// @throws std::out_of_range
   double error(const std::string& name) const;
@@ -60,5 +61,17 @@ Measurement run_cavity(const Resolution& resolution);
 Measurement run_bump(const Resolution& resolution, const std::string& bump, bool on_both_walls);
 Measurement run_bifurcation(const Resolution& resolution);
 Measurement run_unequal_bifurcation(const Resolution& resolution);
+
+// Cells in shear flow: shear_scenes.cpp.
+/// @param ring  its entry among the references
+Measurement run_ring(const Resolution& resolution, const std::string& ring);
+/// @param vesicle  its entry among the references
+Measurement run_vesicle(const Resolution& resolution, const std::string& vesicle);
+/// The viscosity ratio from which on a vesicle tumbles.
+Measurement run_tumbling(const Resolution& resolution);
+
+// A cell in the study's vessel, and one that nothing moves: cell_scenes.cpp.
+Measurement run_cell_in_channel(const Resolution& resolution);
+Measurement run_resting_cell(const Resolution& resolution);
 
 }  // namespace rouleau::validation

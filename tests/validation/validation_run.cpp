@@ -19,7 +19,8 @@ using namespace rouleau::validation;
 constexpr const char* usage =
     "usage: validation_run SCENE [ACROSS [standard|paper]]\n"
     "       validation_run --list\n\n"
-    "Runs a scene with ACROSS (25) particle spacings over its height and prints, as one line of JSON, how\n"
+    "Runs a scene with ACROSS (25) particle spacings over its height (of a cell in shear: over the cell's\n"
+    "diameter) and prints, as one line of JSON, how\n"
     "far it is from its reference and what that took. A run that fails says so in the line; exit code 0.\n";
 
 /// The run, and its time in s: by the clock, and of the processor.
@@ -37,6 +38,7 @@ nlohmann::json timed(const Scene& scene, const Resolution& resolution) {
     line["steps"] = m.steps;
     line["errors"] = nlohmann::json::object();
     for (const auto& [name, value] : m.errors) line["errors"][name] = value;
+    for (const auto& [name, value] : m.values) line["values"][name] = value;
   } catch (const std::exception& failure) {
     line["outcome"] = "failed";
     line["message"] = failure.what();
