@@ -39,7 +39,7 @@ Key whole_case() {
               {.name = "duration",
                .description = "Simulated time.",
                .unit = "s",
-               .range = above(0, 1000),
+               .range = above(0, 1e5),
                .required = true},
               output_key(),
               probes_key(),

@@ -100,7 +100,7 @@ class ContentChecks {
       outside_thrombi(envelopes_[i], place);
       const RedCell& cell = scene_.cells[cells_[i]];
       const double thickness = cell.fill * cell.diameter / 2;
-      const double needed = least_cell_thickness * scene_.numerics.spacing;
+      const double needed = least_cell_thickness * spacing_that_divides();
       if (thickness < needed - tolerance()) {
         faults_.add(place, "the cell is " + meters(thickness) + " thick in the mean; at least " +
                                in_words(least_cell_thickness) + " spacings are needed, " + meters(needed));
@@ -133,6 +133,11 @@ class ContentChecks {
   std::string needed_gap() const {
     return " open; more than " + in_words(least_gap) + " spacings are needed, " +
            meters(least_gap * scene_.numerics.spacing);
+  }
+
+  /// The height of the vessel: what the scene is computed with.
+  double spacing_that_divides() const {
+    return scene_.vessel.diameter / std::round(scene_.vessel.diameter / scene_.numerics.spacing);
   }
 
   double tolerance() const { return rounding * scene_.vessel.length; }

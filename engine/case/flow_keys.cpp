@@ -51,7 +51,7 @@ Key inflow_key() {
                .fallback = nlohmann::json::array(),
                .most_entries = max_waveform_points,
                .entries = Kind::tuple,
-               .members = {{.name = "time", .description = "", .unit = "s", .range = within(0, 1000)},
+               .members = {{.name = "time", .description = "", .unit = "s", .range = within(0, 1e5)},
                            {.name = "factor", .description = "", .range = within(-100, 100)}}},
           }};
 }

@@ -11,6 +11,7 @@
 #include "engine/effects/departure.h"
 #include "engine/effects/direct_forces.h"
 #include "engine/effects/effect.h"
+#include "engine/effects/exact_projection.h"
 #include "engine/effects/fading.h"
 #include "engine/effects/gradient_from_least_pressure.h"
 #include "engine/effects/inflow.h"
@@ -75,6 +76,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &area_control,
       &inflow_flux,
       &pressure_rotational,
+      &exact_projection,
       &number_density,
       &density_source_relaxation,
       &wall_end_exclusion,

@@ -26,6 +26,11 @@ double mean_velocity(const effects::State& state) {
 
 InitialVelocity::InitialVelocity(const effects::State& state)
     : outline_(state.outline), flow_(flow_of(state.scene)), mean_(mean_velocity(state)) {
+  if (state.scene.vessel.ends == Ends::closed) {
+    for (std::size_t d = 0; d < 2; ++d) {
+      weight_[d] = state.scene.body_acceleration[d] / state.scales.acceleration();
+    }
+  }
   if (state.scene.vessel.shape != Shape::bifurcation) return;
   // Each branch's share is by its conductance, width^3 / length.
   double conductance = 0;
@@ -67,6 +72,7 @@ std::array<double, 2> InitialVelocity::at(double x, double y) const {
 }
 
 double InitialVelocity::pressure(double x, double y) const {
+  if (flow_ == InitialFlow::rest) return weight_[0] * x + weight_[1] * y;
   if (flow_ != InitialFlow::taylor_green) return 0;
   const double kx = 2 * std::numbers::pi / outline_.length();
   const double ky = 2 * std::numbers::pi / outline_.height();

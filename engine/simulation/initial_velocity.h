@@ -12,7 +12,8 @@ class InitialVelocity {
   explicit InitialVelocity(const effects::State& state);
 
   std::array<double, 2> at(double x, double y) const;
-  /// Over the density; 0 where the flow is not known exactly.
+  /// Over the density: of plasma at rest in a closed vessel what carries its weight; 0 where the flow is not
+  /// known exactly.
   double pressure(double x, double y) const;
 
  private:
@@ -21,6 +22,7 @@ class InitialVelocity {
   const geometry::Outline& outline_;
   InitialFlow flow_;
   double mean_ = 1;                      ///< of the developed flow in the trunk
+  std::array<double, 2> weight_{};       ///< acceleration that walls on all sides carry
   std::array<double, 2> branch_mean_{};  ///< and in each branch
 };
 

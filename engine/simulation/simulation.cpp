@@ -16,6 +16,12 @@ namespace {
 // After a refinement: how many times the flow is solved for at most, and the change of velocity that is none.
 constexpr int most_solves = 20;
 constexpr double same_flow = 1e-3;
+// Of the flow at the start: how many steps at most, and the change of velocity that is none.
+constexpr int most_settling_steps = 40;
+constexpr double settled = 1e-3;
+// Of the particles at the start: how many times they shift at most, and what shift is none, in spacings.
+constexpr int most_spreading_steps = 30;
+constexpr double spread_out = 0.05;
 
 using Clock = std::chrono::steady_clock;
 
@@ -25,7 +31,7 @@ double seconds_since(Clock::time_point start) {
 
 }  // namespace
 
-Simulation::Simulation(const Case& resolved)
+Simulation::Simulation(const Case& resolved, const Rearrangement& rearrange)
     : plan_(make_plan(resolved)),
       state_(resolved, scales_of(resolved), plan_.spacing / scales_of(resolved).length),
       duration_(resolved.duration / state_.scales.time()),
@@ -34,8 +40,11 @@ Simulation::Simulation(const Case& resolved)
   place_cells(state_);
   place_fluid(state_);
   place_walls(state_);
+  if (rearrange) rearrange(state_);
   make_effects();
   run_stage(effects::Stage::operators);
+  const bool flows = initial_flow(resolved) == InitialFlow::developed;
+  if (flows && resolved.numerics.preset != Preset::paper) settle();
 }
 
 void Simulation::make_effects() {
@@ -103,6 +112,43 @@ double Simulation::solve_flow() {
   run_stage(Stage::viscosity);
   run_stage(Stage::pressure);
   return note_change_of_velocity();
+}
+
+void Simulation::spread() {
+  state_.dt = 0;
+  double longest = 1;
+  for (int k = 0; k < most_spreading_steps && longest > spread_out * state_.spacing; ++k) {
+    run_stage(effects::Stage::motion);
+    longest = 0;
+    for (std::size_t i = 0; i < state_.shift_x.size(); ++i) {
+      longest = std::max(longest, std::hypot(state_.shift_x[i], state_.shift_y[i]));
+    }
+    run_stage(effects::Stage::operators);
+  }
+}
+
+void Simulation::settle() {
+  const effects::Counters counters = state_.counters;
+  spread();
+  double change = 1;
+  for (int k = 0; k < most_settling_steps && change > settled; ++k) {
+    before_.take(state_);
+    try {
+      state_.dt = planned_step_;
+      change = solve_flow();
+      state_.dt = 0;
+      run_stage(effects::Stage::motion);
+      run_stage(effects::Stage::boundaries);
+    } catch (const SimulationError&) {
+      before_.restore(state_);
+      change = 0;
+    }
+    run_stage(effects::Stage::operators);
+  }
+  auto& particles = state_.particles;
+  std::fill(particles.du.begin(), particles.du.end(), 0.0);
+  std::fill(particles.dv.begin(), particles.dv.end(), 0.0);
+  state_.counters = counters;
 }
 
 double Simulation::attempt() {

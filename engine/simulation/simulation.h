@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -16,9 +17,13 @@ namespace rouleau {
 /// measures what each effect costs.
 class Simulation {
  public:
+  /// Moves, adds or changes particles that were placed for time 0, before anything is built on them.
+  using Rearrangement = std::function<void(effects::State&)>;
+
   /// Places the particles of the plan at time 0.
+  /// @param rearrange  for tests: a start that no case describes
   /// @throws CaseError as make_plan, and where a cell has no rest shape
-  explicit Simulation(const Case& resolved);
+  explicit Simulation(const Case& resolved, const Rearrangement& rearrange = {});
 
   const Plan& plan() const { return plan_; }
   const effects::State& state() const { return state_; }
@@ -69,6 +74,13 @@ class Simulation {
   void run_stage(effects::Stage stage);
   /// Forces, viscosity and pressure where the particles are; returns the change of velocity.
   double solve_flow();
+  /// Lets particles shift until they are evenly spread, with no time passing and no flow solved: the first
+  /// solution would fail among clumps and holes.
+  void spread();
+  /// Lets the flow that a scene starts with find its way around thrombi and cells, in no time: steps in which
+  /// the flow changes and particles shift, but nothing is carried along. Else the first step would meet a
+  /// flow through them, far from free of divergence.
+  void settle();
   /// One attempt; returns the change of velocity that StepControl judges.
   double attempt();
   /// Keeps it with the particles, for the next step, and returns its size.

@@ -1,4 +1,4 @@
-"""deploy/reproduce, with the program that CTest built (in ROULEAU_VALIDATION_RUN)."""
+"""deploy/reproduce, with the programs that CTest built (in ROULEAU_VALIDATION_RUN and ROULEAU_STABILITY_RUN)."""
 
 import json
 import os
@@ -14,10 +14,18 @@ def reproduce(*arguments):
                           stdin=subprocess.DEVNULL)
 
 
-def accuracy(out, *arguments):
-    result = reproduce("accuracy", "--out", str(out), *arguments)
+def page(name, out, *arguments):
+    result = reproduce(name, "--out", str(out), *arguments)
     assert result.returncode == 0, result.stdout + result.stderr
     return {path.relative_to(out).as_posix(): path.read_bytes() for path in out.rglob("*") if path.is_file()}
+
+
+def accuracy(out, *arguments):
+    return page("accuracy", out, *arguments)
+
+
+def stability(out, *arguments):
+    return page("stability", out, *arguments)
 
 
 def test_help():
@@ -26,7 +34,7 @@ def test_help():
     assert result.stdout.startswith("usage: deploy/reproduce")
 
 
-@pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"]])
+@pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"], ["stability", "--slow"]])
 def test_what_is_unknown_is_refused(arguments):
     result = reproduce(*arguments)
     assert result.returncode == 2
@@ -58,8 +66,29 @@ class TestAccuracy:
         assert accuracy(tmp_path, "--draw") == again
 
 
-def test_the_page_is_that_of_the_runs_kept_with_it(tmp_path):
-    (tmp_path / "accuracy.jsonl").write_bytes((ROOT / "docs/accuracy.jsonl").read_bytes())
-    drawn = accuracy(tmp_path, "--draw")
-    assert drawn["accuracy.md"] == (ROOT / "docs/accuracy.md").read_bytes()
-    assert drawn["accuracy.jsonl"] == (ROOT / "docs/accuracy.jsonl").read_bytes()
+@pytest.mark.skipif("ROULEAU_STABILITY_RUN" not in os.environ, reason="run by CTest, which knows the program")
+class TestStability:
+    def test_an_unknown_scene_is_named(self, tmp_path):
+        result = reproduce("stability", "--out", str(tmp_path), "waterfall")
+        assert result.returncode == 1
+        assert "no scene is called waterfall; there are: closed_80, " in result.stderr
+
+    def test_runs_become_a_page(self, tmp_path):
+        files = stability(tmp_path, "--quick", "resting_tank")
+        assert set(files) == {"stability.md", "stability.jsonl"}
+        run = json.loads(files["stability.jsonl"])
+        assert (run["scene"], run["form"], run["outcome"], run["steps"]) == ("resting_tank", "short", "completed", 2000)
+        assert set(run["worst"]) == {
+            "not_finite", "crossing_edges", "wrong_side", "area", "divergence", "energy_rise"}
+        assert "| `resting_tank`: " in files["stability.md"].decode()
+        again = stability(tmp_path, "--quick", "resting_tank")
+        assert len(again["stability.jsonl"].splitlines()) == 1
+        assert stability(tmp_path, "--draw") == again
+
+
+@pytest.mark.parametrize("name", ["accuracy", "stability"])
+def test_the_page_is_that_of_the_runs_kept_with_it(tmp_path, name):
+    (tmp_path / f"{name}.jsonl").write_bytes((ROOT / f"docs/{name}.jsonl").read_bytes())
+    drawn = page(name, tmp_path, "--draw")
+    assert drawn[f"{name}.md"] == (ROOT / f"docs/{name}.md").read_bytes()
+    assert drawn[f"{name}.jsonl"] == (ROOT / f"docs/{name}.jsonl").read_bytes()
