@@ -115,7 +115,7 @@ const EffectKind exact_projection{
     "exact_projection", Stage::pressure, true,
     [](const Case& scene) {
       return of_accurate_scheme(
-          scene, {true, "where the flow is rough the pressure leaves some divergence", "/plasma"});
+          scene, needs_cells(scene, "between membranes and walls the pressure leaves some divergence"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ExactProjection>(); }};
 
