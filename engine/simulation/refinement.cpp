@@ -40,6 +40,9 @@ void transfer_cell(const State& from, const CellState& cell, int index, State& t
   const cells::Ring ring = from.ring(cell);
   CellState finer = cell;
   finer.first_node = to.particles.size();
+  // The fluid that is placed anew inside is counted on top of what a cell that deflates has lost.
+  finer.circle_particles =
+      static_cast<int>(std::lround((cell.circle_area - cell.start_area) / (to.spacing * to.spacing)));
   if (cell.departure) {
     to.cells.push_back(finer);
     return;
