@@ -13,13 +13,10 @@ namespace rouleau {
 
 namespace {
 
-// After a refinement: how many times the flow is solved for at most, and the change of velocity that is none.
-constexpr int most_solves = 20;
-constexpr double same_flow = 1e-3;
-// Of the flow at the start: how many steps at most, and the change of velocity that is none.
+// Of the flow around particles placed anew: how many steps at most, and the change of velocity that is none.
 constexpr int most_settling_steps = 40;
 constexpr double settled = 1e-3;
-// Of the particles at the start: how many times they shift at most, and what shift is none, in spacings.
+// Of those particles: how many times they shift at most, and what shift is none, in spacings.
 constexpr int most_spreading_steps = 30;
 constexpr double spread_out = 0.05;
 
@@ -59,21 +56,7 @@ void Simulation::refine(double spacing) {
   refinements_.push_back({time(), state_.thinnest_cell, spacing * state_.scales.length});
   remake(refined(state_, spacing));
   run_stage(effects::Stage::operators);
-  find_flow();
-}
-
-void Simulation::find_flow() {
-  const effects::Counters counters = state_.counters;
-  double change = 1;
-  for (int k = 0; k < most_solves && change > same_flow; ++k) {
-    state_.dt = planned_step_ * state_.spacing / state_.start_spacing;
-    change = solve_flow();
-    run_stage(effects::Stage::operators);
-  }
-  auto& particles = state_.particles;
-  std::fill(particles.du.begin(), particles.du.end(), 0.0);
-  std::fill(particles.dv.begin(), particles.dv.end(), 0.0);
-  state_.counters = counters;
+  settle();
 }
 
 void Simulation::remake(effects::State state) {
@@ -134,7 +117,7 @@ void Simulation::settle() {
   for (int k = 0; k < most_settling_steps && change > settled; ++k) {
     before_.take(state_);
     try {
-      state_.dt = planned_step_;
+      state_.dt = planned_step_ * state_.spacing / state_.start_spacing;
       change = solve_flow();
       state_.dt = 0;
       run_stage(effects::Stage::motion);

@@ -68,18 +68,15 @@ class Simulation {
   void refine(double spacing);
   /// Goes on from another state of the same scene.
   void remake(effects::State state);
-  /// Solves for the flow of resampled particles, with nothing moving, until it fits their forces and
-  /// pressures.
-  void find_flow();
   void run_stage(effects::Stage stage);
   /// Forces, viscosity and pressure where the particles are; returns the change of velocity.
   double solve_flow();
   /// Lets particles shift until they are evenly spread, with no time passing and no flow solved: the first
   /// solution would fail among clumps and holes.
   void spread();
-  /// Lets the flow that a scene starts with find its way around thrombi and cells, in no time: steps in which
-  /// the flow changes and particles shift, but nothing is carried along. Else the first step would meet a
-  /// flow through them, far from free of divergence.
+  /// Lets the flow of particles placed anew, at the start or after a refinement, find its way around thrombi
+  /// and cells, in no time: steps in which the flow changes and particles shift, but nothing is carried
+  /// along. Else the next step would meet a flow through them, far from free of divergence.
   void settle();
   /// One attempt; returns the change of velocity that StepControl judges.
   double attempt();
