@@ -1,6 +1,7 @@
 #include "engine/effects/area_control.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/cells/ring.h"
 
@@ -10,28 +11,48 @@ namespace {
 
 // Time over which a drift of area is undone, in diameters over inflow velocities; never under two steps.
 constexpr double relaxation_time = 0.01;
+// Farther than this, in spacings, no step moves a membrane: it has fluid on both sides.
+constexpr double longest_move = 0.01;
 
 class AreaControl : public Effect {
  public:
   void apply(State& state) override {
-    const double time = std::max(relaxation_time, 2 * state.dt);
-    std::vector<double> wanted;
+    const double share = state.dt / std::max(relaxation_time, 2 * state.dt);
+    const double most = longest_move * state.spacing;
     for (const CellState& cell : state.cells) {
-      // The drift of a cell that fades is not undone by flow out of the vessel.
-      const double drift = cell.departure ? 0 : 1 - cells::area(state.ring(cell)) / cell.start_area;
-      wanted.push_back(cell.presence * drift / time + cell.area_rate);
-    }
-    for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
-      if (state.particles.cell[i] >= 0) state.source[i] += wanted[state.particles.cell[i]];
+      if (cell.departure) continue;
+      const auto nodes = static_cast<std::size_t>(cell.nodes);
+      const cells::Ring ring{{state.next_x.data() + cell.first_node, nodes},
+                             {state.next_y.data() + cell.first_node, nodes}};
+      const double lacking = cell.start_area - cells::area(ring);
+      const double way = cell.presence * share * lacking / cells::perimeter(ring);
+      move_out(ring, std::clamp(way, -most, most));
+      std::copy(moved_x_.begin(), moved_x_.end(), state.next_x.begin() + cell.first_node);
+      std::copy(moved_y_.begin(), moved_y_.end(), state.next_y.begin() + cell.first_node);
     }
   }
+
+ private:
+  void move_out(cells::Ring ring, double way) {
+    moved_x_.assign(ring.x.begin(), ring.x.end());
+    moved_y_.assign(ring.y.begin(), ring.y.end());
+    for (std::size_t q = 0; q < ring.size(); ++q) {
+      const std::size_t before = ring.previous(q), after = ring.next(q);
+      const double tx = ring.x[after] - ring.x[before], ty = ring.y[after] - ring.y[before];
+      const double length = std::hypot(tx, ty);
+      moved_x_[q] += way * ty / length;
+      moved_y_[q] -= way * tx / length;
+    }
+  }
+
+  std::vector<double> moved_x_, moved_y_;
 };
 
 }  // namespace
 
 const EffectKind area_control{
     "area_control",
-    Stage::pressure,
+    Stage::motion,
     true,
     [](const Case& scene) {
       return of_accurate_scheme(scene, needs_cells(scene, "a cell keeps its volume"));

@@ -7,6 +7,7 @@
 #include "engine/effects/contact.h"
 #include "engine/effects/corner_flow.h"
 #include "engine/effects/deflation.h"
+#include "engine/effects/deflation_sink.h"
 #include "engine/effects/density_source_relaxation.h"
 #include "engine/effects/departure.h"
 #include "engine/effects/direct_forces.h"
@@ -48,6 +49,7 @@ const std::vector<const EffectKind*>& catalogue() {
   // clang-format off
   static const std::vector<const EffectKind*> kinds = {
       &advection,
+      &area_control,
       &shifting,
       &membrane_clearance,
       &transport,
@@ -73,7 +75,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &direct_forces,
       &viscosity_implicit,
       &viscosity_substeps,
-      &area_control,
+      &deflation_sink,
       &inflow_flux,
       &pressure_rotational,
       &exact_projection,

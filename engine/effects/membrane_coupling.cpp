@@ -186,7 +186,7 @@ class MembraneCoupling : public Effect, public ImplicitForce {
     const auto weigh = [&](int i, double r) {
       spread += spread_weight(i, r);
       if (weight_[i] == 0) return;
-      const double normal = interpolation(state, r) / weight_[i] * jump;
+      const double normal = of_this_sheet(i, nx, ny) * interpolation(state, r) / weight_[i] * jump;
       received_x -= gradient_x_[i] * normal;
       received_y -= gradient_y_[i] * normal;
     };
@@ -199,7 +199,7 @@ class MembraneCoupling : public Effect, public ImplicitForce {
       const double w = spread_weight(i, r) / spread;
       Share share{i, w * tx * kx, w * tx * ky, w * ty * kx, w * ty * ky};
       if (weight_[i] > 0) {
-        const double normal = scale * interpolation(state, r) / weight_[i] * jump;
+        const double normal = scale * of_this_sheet(i, nx, ny) * interpolation(state, r) / weight_[i] * jump;
         share.xx -= gradient_x_[i] * normal * nx;
         share.xy -= gradient_x_[i] * normal * ny;
         share.yx -= gradient_y_[i] * normal * nx;
@@ -230,6 +230,15 @@ class MembraneCoupling : public Effect, public ImplicitForce {
   static double colour(const State& state, int c, int i) {
     if (state.particles.cell[i] != c) return 0;
     return i < state.particles.membrane_end() ? 0.5 : 1.0;
+  }
+
+  /// Where a cell is pinched, a node's neighbours belong to the opposite sheet, too: there the colour rises
+  /// the other way, and they would receive its normal force reversed. 1 up to 60 degrees from the normal, 0
+  /// from 90 on.
+  double of_this_sheet(int i, double nx, double ny) const {
+    const double inwards = -(gradient_x_[i] * nx + gradient_y_[i] * ny);
+    const double size = std::hypot(gradient_x_[i], gradient_y_[i]);
+    return size > 0 ? std::clamp(2 * inwards / size, 0.0, 1.0) : 0;
   }
 
   /// Weight of a node at distance r in the jump that a particle sees.

@@ -7,7 +7,8 @@ namespace rouleau::effects {
 
 namespace {
 
-constexpr double return_depth = 0.1;  // spacings behind the link
+// Spacings behind the link, the next where the cell is too thin for the one before.
+constexpr double return_depths[] = {0.1, 0.02, 0.004};
 
 class MembraneSides : public Effect {
  public:
@@ -24,12 +25,17 @@ class MembraneSides : public Effect {
         const double x = particles.x[i] - away_x, y = particles.y[i] - away_y;
         if (cells::contains(ring, x, y) == belongs) continue;
         const cells::Nearest link = cells::nearest(ring, x, y);
-        const double behind = (belongs ? -1 : 1) * return_depth * state.spacing;
-        state.particles.x[i] = link.x + behind * link.nx + away_x;
-        state.particles.y[i] = link.y + behind * link.ny + away_y;
-        if (cells::contains(ring, particles.x[i] - away_x, particles.y[i] - away_y) != belongs) {
-          throw breach_at(state, i, {"particles on the wrong side of a membrane", 1, 0});
+        bool returned = false;
+        for (const double depth : return_depths) {
+          const double behind = (belongs ? -1 : 1) * depth * state.spacing;
+          const double back_x = link.x + behind * link.nx, back_y = link.y + behind * link.ny;
+          returned = cells::contains(ring, back_x, back_y) == belongs;
+          if (!returned) continue;
+          state.particles.x[i] = back_x + away_x;
+          state.particles.y[i] = back_y + away_y;
+          break;
         }
+        if (!returned) throw breach_at(state, i, {"particles on the wrong side of a membrane", 1, 0});
         ++state.counters.wrong_side;
       }
     }

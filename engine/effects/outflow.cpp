@@ -96,12 +96,14 @@ class Outlet {
   void sample_profile(const State& state) {
     const ParticleSet& particles = state.particles;
     samples_.clear();
+    const double on = state.last_dt > 0 ? state.dt / state.last_dt : 0;
     for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {
       if (particles.group[i] != Group::fluid) continue;
       const double before = -opening_.beyond(particles.x[i], particles.y[i]) / state.spacing;
       if (before < 0 || before > profile_depth || !here(state, i)) continue;
       samples_.push_back({opening_.across(particles.x[i], particles.y[i]), 1 - before / profile_depth,
-                          particles.u[i] * opening_.ax + particles.v[i] * opening_.ay});
+                          (particles.u[i] + on * particles.du[i]) * opening_.ax +
+                              (particles.v[i] + on * particles.dv[i]) * opening_.ay});
     }
     samples_.push_back({0, 1, 0});
     samples_.push_back({opening_.width, 1, 0});

@@ -12,4 +12,14 @@ int ParticleSet::add(Group g, double px, double py, int of_cell) {
   return size() - 1;
 }
 
+void ParticleSet::add_from(const ParticleSet& other, int i) {
+  for (auto field : {&ParticleSet::x, &ParticleSet::y, &ParticleSet::u, &ParticleSet::v, &ParticleSet::p,
+                     &ParticleSet::du, &ParticleSet::dv, &ParticleSet::phi}) {
+    (this->*field).push_back((other.*field)[i]);
+  }
+  cell.push_back(other.cell[i]);
+  id.push_back(other.id[i]);
+  group.push_back(other.group[i]);
+}
+
 }  // namespace rouleau::particles

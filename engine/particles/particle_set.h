@@ -35,6 +35,8 @@ struct ParticleSet {
 
   /// Adds a particle at rest with a new id; returns its index.
   int add(Group g, double px, double py, int of_cell = -1);
+  /// Adds particle i of another set as it is, with its id.
+  void add_from(const ParticleSet& other, int i);
 
   /// All that sorting does not find again, for a checkpoint.
   template <class Stream>

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "engine/cells/resample.h"
 #include "engine/cells/shape.h"
@@ -34,38 +36,38 @@ void inflate(std::vector<double>& x, std::vector<double>& y, double area) {
   }
 }
 
-/// Nodes anew, one spacing apart as the membrane is now: where it is stretched they had come far apart.
-void transfer_cell(const State& from, const CellState& cell, int index, State& to) {
-  const ParticleSet& old = from.particles;
-  const cells::Ring ring = from.ring(cell);
-  CellState finer = cell;
-  finer.first_node = to.particles.size();
-  // The fluid that is placed anew inside is counted on top of what a cell that deflates has lost.
-  finer.circle_particles =
-      static_cast<int>(std::lround((cell.circle_area - cell.start_area) / (to.spacing * to.spacing)));
+/// Nodes anew, one spacing of `to` apart as the membrane is now: where it is stretched they had come far
+/// apart.
+void transfer_cell(const ParticleSet& old, const CellState& cell, int index, State& to) {
+  CellState renewed = cell;
+  renewed.first_node = to.particles.size();
   if (cell.departure) {
-    to.cells.push_back(finer);
+    to.cells.push_back(renewed);
     return;
   }
-  finer.nodes =
+  const auto of_cell = [&](const std::vector<double>& field) {
+    return std::span<const double>(field).subspan(cell.first_node, cell.nodes);
+  };
+  const cells::Ring ring{of_cell(old.x), of_cell(old.y)};
+  renewed.nodes =
       std::max(cell.start_nodes, static_cast<int>(std::lround(cells::perimeter(ring) / to.spacing)));
-  const std::vector<double> places = cells::equal_steps(cells::link_lengths(ring), finer.nodes);
+  const std::vector<double> places = cells::equal_steps(cells::link_lengths(ring), renewed.nodes);
   std::vector<double> rest_lengths = cell.material.rest_lengths;
   if (rest_lengths.empty()) rest_lengths.assign(cell.nodes, cell.material.rest_length);
-  finer.material.rest_lengths = cells::between(rest_lengths, places);
+  renewed.material.rest_lengths = cells::between(rest_lengths, places);
   const auto carried = [&](const std::vector<double>& field) {
-    return cells::interpolate({field.data() + cell.first_node, static_cast<std::size_t>(cell.nodes)}, places);
+    return cells::interpolate(of_cell(field), places);
   };
   auto x = carried(old.x), y = carried(old.y);
   inflate(x, y, cells::area(ring));
   const auto u = carried(old.u), v = carried(old.v), p = carried(old.p);
-  for (int q = 0; q < finer.nodes; ++q) {
+  for (int q = 0; q < renewed.nodes; ++q) {
     const int i = to.particles.add(Group::membrane, x[q], y[q], index);
     to.particles.u[i] = u[q];
     to.particles.v[i] = v[q];
     to.particles.p[i] = p[q];
   }
-  to.cells.push_back(finer);
+  to.cells.push_back(renewed);
 }
 
 /// The mean of what the particles on the same side make of the pressure there.
@@ -147,13 +149,25 @@ State refined(const State& state, double spacing) {
   finer.counters = state.counters;
   finer.particles.continue_ids(state.particles);
   for (std::size_t k = 0; k < state.cells.size(); ++k) {
-    transfer_cell(state, state.cells[k], static_cast<int>(k), finer);
+    transfer_cell(state.particles, state.cells[k], static_cast<int>(k), finer);
+    // The fluid that is placed anew inside is counted on top of what a cell that deflates has lost.
+    CellState& cell = finer.cells.back();
+    const double lost = cell.circle_area - cell.start_area;
+    cell.circle_particles = static_cast<int>(std::lround(lost / (finer.spacing * finer.spacing)));
   }
   place_fluid(finer);
   transfer_flow(state, finer);
   keep_momentum(state, finer);
   place_walls(finer);
   return finer;
+}
+
+void renew_nodes(State& state) {
+  const ParticleSet old = std::exchange(state.particles, {});
+  const std::vector<CellState> cells = std::exchange(state.cells, {});
+  state.particles.continue_ids(old);
+  for (std::size_t k = 0; k < cells.size(); ++k) transfer_cell(old, cells[k], static_cast<int>(k), state);
+  for (int i = old.membrane_end(); i < old.size(); ++i) state.particles.add_from(old, i);
 }
 
 }  // namespace rouleau

@@ -10,4 +10,8 @@ namespace rouleau {
 /// @param spacing  in own units; a whole number of them make the vessel's height
 effects::State refined(const effects::State& state, double spacing);
 
+/// Gives every cell nodes anew, a spacing apart along its membrane as it is now; all other particles stay as
+/// they are. Area, shape and strain are kept, as above.
+void renew_nodes(effects::State& state);
+
 }  // namespace rouleau

@@ -54,7 +54,11 @@ void Simulation::make_effects() {
 
 void Simulation::refine(double spacing) {
   refinements_.push_back({time(), state_.thinnest_cell, spacing * state_.scales.length});
-  remake(refined(state_, spacing));
+  if (spacing == state_.spacing) {
+    renew_nodes(state_);
+  } else {
+    remake(refined(state_, spacing));
+  }
   run_stage(effects::Stage::operators);
   settle();
 }
@@ -117,16 +121,17 @@ void Simulation::settle() {
   for (int k = 0; k < most_settling_steps && change > settled; ++k) {
     before_.take(state_);
     try {
-      state_.dt = planned_step_ * state_.spacing / state_.start_spacing;
-      change = solve_flow();
       state_.dt = 0;
       run_stage(effects::Stage::motion);
       run_stage(effects::Stage::boundaries);
+      run_stage(effects::Stage::operators);
+      state_.dt = planned_step_ * state_.spacing / state_.start_spacing;
+      change = solve_flow();
     } catch (const SimulationError&) {
       before_.restore(state_);
+      run_stage(effects::Stage::operators);
       change = 0;
     }
-    run_stage(effects::Stage::operators);
   }
   auto& particles = state_.particles;
   std::fill(particles.du.begin(), particles.du.end(), 0.0);
