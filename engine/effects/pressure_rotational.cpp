@@ -130,8 +130,9 @@ class PressureRotational : public Effect {
     for (int i = 0; i < n; ++i) {
       particles.u[i] -= step * gradients_[2 * i];
       particles.v[i] -= step * gradients_[2 * i + 1];
-      const double factor = state.viscosity_factor.empty() ? 1 : state.viscosity_factor[i];
-      particles.p[i] += particles.phi[i] - factor * state.viscosity * excess_[i];
+      // The plasma's viscosity inside cells, too: by theirs, fifty times as large, velocity and pressure took
+      // turns growing.
+      particles.p[i] += particles.phi[i] - state.viscosity * excess_[i];
     }
   }
 

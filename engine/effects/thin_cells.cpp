@@ -20,7 +20,7 @@ constexpr double restored = 3;  // by a refinement
 constexpr double most_refinement = 3;
 // Longest and shortest link, in spacings. The nodes that a cell starts with may crowd further: their links
 // are stiff below 0.8 l0.
-constexpr double most_stretched = 2.5, most_crowded = 0.4;
+constexpr double most_stretched = 1.8, most_crowded = 0.4;
 
 class ThinCells : public Effect {
  public:
