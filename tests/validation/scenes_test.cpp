@@ -42,7 +42,7 @@ TEST(Validation, AChannelOfFortyDiametersEndsAsItsMiddle) {
 
 TEST(Validation, FlowThatReverses) {
   const Measurement m = coarse("womersley", 16);
-  EXPECT_LE(m.error("velocity"), 0.02);
+  EXPECT_LE(m.error("velocity"), 0.006);
   EXPECT_LE(m.error("particles_a_cycle"), 0.005);
 }
 

@@ -43,5 +43,31 @@ TEST(MembraneSides, LookForParticlesAcrossTheSeamOfAPeriodicVessel) {
   EXPECT_TRUE(cells::contains(ring, particles.x[far] - period, particles.y[far]));
 }
 
+// The cell is a fiftieth of a spacing thick: a tenth of one behind the link is out on the other side again.
+TEST(MembraneSides, PutParticlesBackIntoTheThinnestCells) {
+  State state = prepared_state(coarse_vessel_with_cells());
+  auto& particles = state.particles;
+  const CellState& cell = state.cells[0];
+  const double d0 = state.spacing, x0 = cells::measure(state.ring(cell)).x;
+  for (int i = cell.first_node; i < cell.first_node + cell.nodes; ++i) {
+    const bool left = i - cell.first_node < cell.nodes / 2;
+    const int along = left ? i - cell.first_node : cell.first_node + cell.nodes - 1 - i;
+    particles.x[i] = x0 + (left ? -0.025 : 0.025) * d0;
+    particles.y[i] = 0.7 - 0.4 * along * 2 / cell.nodes;
+  }
+  int lost = -1;
+  for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {
+    if (particles.cell[i] != 0) continue;
+    if (lost < 0) lost = i;
+    particles.x[i] = x0;
+    particles.y[i] = 0.5;
+  }
+  particles.x[lost] = x0 + 0.2 * d0;
+  ASSERT_TRUE(cells::contains(state.ring(cell), x0, 0.5));
+  membrane_sides.make(state)->apply(state);
+  EXPECT_EQ(state.counters.wrong_side, 1);
+  EXPECT_TRUE(cells::contains(state.ring(cell), particles.x[lost], particles.y[lost]));
+}
+
 }  // namespace
 }  // namespace rouleau::effects

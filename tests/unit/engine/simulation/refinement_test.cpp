@@ -1,10 +1,13 @@
 #include "engine/simulation/refinement.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
+#include "engine/cells/resample.h"
 #include "engine/cells/shape.h"
 #include "engine/error/simulation_error.h"
 #include "engine/observe/first_nodes.h"
@@ -66,6 +69,32 @@ TEST_F(Refined, TheNodesOfBeforeAreFoundAgain) {
   for (std::size_t q = 0; q < nodes.x.size(); ++q) {
     EXPECT_NEAR(nodes.x[q], before().particles.x[q], 0.2 * before().spacing);
     EXPECT_NEAR(nodes.y[q], before().particles.y[q], 0.2 * before().spacing);
+  }
+}
+
+TEST_F(Refined, NodesAnewLeaveAllElseAsItIs) {
+  effects::State after = before();
+  const effects::CellState old_cell = before().cells[0];
+  auto& particles = after.particles;
+  for (int q = 0; q < old_cell.nodes; ++q) particles.y[q] = 0.5 + 1.3 * (particles.y[q] - 0.5);
+  const double area = cells::area(after.ring(old_cell)), perimeter = cells::perimeter(after.ring(old_cell));
+  renew_nodes(after);
+  const effects::CellState& cell = after.cells[0];
+  EXPECT_EQ(cell.nodes, std::lround(perimeter / after.spacing));
+  const auto lengths = cells::link_lengths(after.ring(cell));
+  EXPECT_NEAR(*std::ranges::min_element(lengths), after.spacing, 0.1 * after.spacing);
+  EXPECT_NEAR(*std::ranges::max_element(lengths), after.spacing, 0.1 * after.spacing);
+  EXPECT_NEAR(cells::area(after.ring(cell)), area, 1e-9 * area);
+  const auto& old = before().particles;
+  const int more = particles.size() - old.size();
+  EXPECT_EQ(more, cell.nodes - old_cell.nodes);
+  for (int i = old.membrane_end(); i < old.size(); ++i) {
+    EXPECT_EQ(particles.id[i + more], old.id[i]);
+    EXPECT_EQ(particles.x[i + more], old.x[i]);
+    EXPECT_EQ(particles.u[i + more], old.u[i]);
+    EXPECT_EQ(particles.p[i + more], old.p[i]);
+    EXPECT_EQ(particles.cell[i + more], old.cell[i]);
+    EXPECT_EQ(particles.group[i + more], old.group[i]);
   }
 }
 
