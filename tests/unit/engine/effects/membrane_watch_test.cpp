@@ -96,8 +96,8 @@ INSTANTIATE_TEST_SUITE_P(Harms, MembraneWatchStops,
                                                 s.counters.cells[1].area = 0.96;
                                                 scale(s, 0.98, 0.98);
                                               }},
-                                         Harm{"Lengthens", "perimeter over that at the start", 8, false,
-                                              [](State& s) { s.cells[1].start_perimeter /= 8; }},
+                                         Harm{"Lengthens", "perimeter over that at the start", 12, false,
+                                              [](State& s) { s.cells[1].start_perimeter /= 12; }},
                                          Harm{"Collapses", "perimeter over that at the start", 0.4, false,
                                               [](State& s) { s.cells[1].start_perimeter /= 0.4; }},
                                          Harm{"Crosses", "crossing membrane edges", 1, true, cross}),
