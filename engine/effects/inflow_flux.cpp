@@ -7,7 +7,7 @@ namespace rouleau::effects {
 namespace {
 
 // In spacings from the inlet plane: where the source is, and the plane up to which flow is balanced.
-constexpr double source_depth = 2;
+constexpr double source_depth = 4;
 constexpr double balance_depth = 6;
 
 class InflowFlux : public Effect {
