@@ -1,8 +1,8 @@
 #include "engine/effects/area_control.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "engine/cells/offset.h"
 #include "engine/cells/ring.h"
 
 namespace rouleau::effects {
@@ -26,25 +26,13 @@ class AreaControl : public Effect {
                              {state.next_y.data() + cell.first_node, nodes}};
       const double lacking = cell.start_area - cells::area(ring);
       const double way = cell.presence * share * lacking / cells::perimeter(ring);
-      move_out(ring, std::clamp(way, -most, most));
+      cells::offset(ring, std::clamp(way, -most, most), moved_x_, moved_y_);
       std::copy(moved_x_.begin(), moved_x_.end(), state.next_x.begin() + cell.first_node);
       std::copy(moved_y_.begin(), moved_y_.end(), state.next_y.begin() + cell.first_node);
     }
   }
 
  private:
-  void move_out(cells::Ring ring, double way) {
-    moved_x_.assign(ring.x.begin(), ring.x.end());
-    moved_y_.assign(ring.y.begin(), ring.y.end());
-    for (std::size_t q = 0; q < ring.size(); ++q) {
-      const std::size_t before = ring.previous(q), after = ring.next(q);
-      const double tx = ring.x[after] - ring.x[before], ty = ring.y[after] - ring.y[before];
-      const double length = std::hypot(tx, ty);
-      moved_x_[q] += way * ty / length;
-      moved_y_[q] -= way * tx / length;
-    }
-  }
-
   std::vector<double> moved_x_, moved_y_;
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/cells/offset.h"
 #include "engine/cells/resample.h"
 #include "engine/cells/shape.h"
 #include "engine/operators/sampler.h"
@@ -21,18 +22,12 @@ using particles::ParticleSet;
 
 /// Moves the nodes along their normals until the ring encloses `area`.
 void inflate(std::vector<double>& x, std::vector<double>& y, double area) {
+  std::vector<double> moved_x, moved_y;
   for (int pass = 0; pass < 4; ++pass) {
     const cells::Ring ring{x, y};
-    const double step = (area - cells::area(ring)) / cells::perimeter(ring);
-    std::vector<double> moved_x = x, moved_y = y;
-    for (std::size_t k = 0; k < x.size(); ++k) {
-      const double tx = x[ring.next(k)] - x[ring.previous(k)], ty = y[ring.next(k)] - y[ring.previous(k)];
-      const double length = std::hypot(tx, ty);
-      moved_x[k] += step * ty / length;
-      moved_y[k] -= step * tx / length;
-    }
-    x = moved_x;
-    y = moved_y;
+    cells::offset(ring, (area - cells::area(ring)) / cells::perimeter(ring), moved_x, moved_y);
+    x.swap(moved_x);
+    y.swap(moved_y);
   }
 }
 
