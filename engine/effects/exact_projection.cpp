@@ -114,6 +114,10 @@ class ExactProjection : public Effect {
 const EffectKind exact_projection{
     "exact_projection", Stage::pressure, true,
     [](const Case& scene) {
+      // What the corners under a moving lid leave is theirs, and in the smooth flow of boxes there is none.
+      if (scene.cells.empty() && !is_open(scene.vessel))
+        return Need{false, "a vessel without ends and cells leaves the pressure no rough divergence",
+                    "/vessel/ends"};
       return of_accurate_scheme(scene, always("beside walls and membranes the pressure leaves divergence"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ExactProjection>(); }};
