@@ -99,7 +99,7 @@ test("an empty service says what to do, and shows every fault of a refused case"
 test("the example runs to its end while its cell and curves are drawn", async () => {
   await changeNextCase((scene) => {
     scene.duration = 4e-4;
-    scene.numerics = { preset: "draft" };
+    scene.numerics = { preset: "draft", refine: "off" };
     scene.output = { series_interval: 2e-5, frame_interval: 1e-4 };
   });
   await page.getByRole("button", { name: "Run the example" }).click();
@@ -179,7 +179,7 @@ test("a job is cancelled from the page, and the list shows how both ended, on a 
 test("a job that went unstable says why, and shows and leaves what it computed", async () => {
   await page.setViewportSize({ width: 1100, height: 900 });
   await changeNextCase((scene) => {
-    // Walls drag a limp cell apart until its membrane is five times as long.
+    // Walls drag a limp cell apart until it is too thin for its spacing.
     scene.duration = 3e-3;
     scene.plasma = { kinematic_viscosity: 1e-5 };
     const walls = { lower: -0.05, upper: 0.05 };
@@ -190,7 +190,7 @@ test("a job that went unstable says why, and shows and leaves what it computed",
     ];
     delete scene.inflow;
     delete scene.outflow;
-    scene.numerics = { preset: "draft" };
+    scene.numerics = { preset: "draft", refine: "off" };
     scene.output = { series_interval: 2e-5, frame_interval: 1e-4 };
   });
   await page.getByRole("button", { name: "Run the example" }).click();
