@@ -6,7 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "storage/archive_error.h"
 
 namespace rouleau::storage {

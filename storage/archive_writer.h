@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "engine/simulation/run.h"
 #include "storage/archive/xdmf.h"
 #include "storage/archive_error.h"

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 
 namespace rouleau::storage {
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "engine/observe/output.h"
 #include "engine/simulation/checkpoint.h"
+#include "engine/simulation/output.h"
 
 namespace rouleau::storage {
 

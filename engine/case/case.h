@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rouleau {
@@ -129,6 +130,17 @@ inline bool deflates(const RedCell& cell) {
 
 enum class Switch { automatic, on, off };
 
+/// What a case says of an effect.
+struct EffectWish {
+  EffectWish() = default;
+  EffectWish(Switch wished, std::map<std::string, double> given = {})
+      : position(wished), parameters(std::move(given)) {}
+  bool operator==(const EffectWish&) const = default;
+
+  Switch position = Switch::automatic;
+  std::map<std::string, double> parameters{};  ///< by name, SI; the effect says which it has
+};
+
 enum class Preset {
   draft,
   standard,
@@ -183,7 +195,7 @@ struct Case {
   Initial initial{};
   std::vector<Thrombus> thrombi;
   std::vector<RedCell> cells;
-  std::map<std::string, Switch> effects;  ///< by effect name; absent: automatic
+  std::map<std::string, EffectWish> effects;  ///< by effect name; absent: automatic
   Numerics numerics;
   double duration = 0;  ///< s of simulated time
   OutputSettings output;

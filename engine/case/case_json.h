@@ -22,8 +22,9 @@ inline constexpr int max_case_depth = 16;
 /// @throws CaseError naming the place
 nlohmann::json parse_json(std::string_view text);
 
-/// What a caller wants checked beside the case itself (`check_effects` of the plan): adds its faults.
-using CaseCheck = std::function<void(const Case&, std::vector<Fault>&)>;
+/// What a caller wants checked beside the case itself (`check_effects` of the plan): adds its faults, and
+/// fills in the defaults that it knows of.
+using CaseCheck = std::function<void(Case&, std::vector<Fault>&)>;
 
 /// Reads a case strictly: unknown keys, wrong types, values out of range and scenes that contradict
 /// themselves are faults, and so is what `further` finds in the sound part of the case; all of them are

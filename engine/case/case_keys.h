@@ -28,7 +28,7 @@ enum class Kind {
   variant,     ///< an object whose first member, a choice, says which of `variants` it is
   tuple,       ///< a list of exactly `members`, in their order
   list,        ///< of `entries`
-  switch_map,  ///< lower_snake_case names to one of `choices`
+  switch_map,  ///< lower_snake_case names to one of `choices` or an object of numbers
 };
 
 /// Bounds of a number; inclusive unless said otherwise.

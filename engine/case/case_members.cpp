@@ -200,6 +200,18 @@ void to_json(json& object, const Probe& probe) {
   object = {{"name", probe.name}, {"from", probe.from}, {"to", probe.to}, {"points", probe.points}};
 }
 
+void from_json(const json& document, EffectWish& wish) {
+  wish = document.is_object() ? EffectWish(Switch::on, document) : EffectWish(document.get<Switch>());
+}
+
+void to_json(json& document, const EffectWish& wish) {
+  if (wish.parameters.empty()) {
+    document = wish.position;
+  } else {
+    document = wish.parameters;
+  }
+}
+
 Case case_from_sound(const json& document) {
   Case result;
   take(document, "name", result.name);
@@ -241,7 +253,7 @@ json to_json(const Case& resolved) {
     document["body_acceleration"] = resolved.body_acceleration;
   }
   document["effects"] = json::object();
-  for (const auto& [name, position] : resolved.effects) document["effects"][name] = position;
+  for (const auto& [name, wish] : resolved.effects) document["effects"][name] = wish;
   return document;
 }
 

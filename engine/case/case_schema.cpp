@@ -94,7 +94,12 @@ json bare_schema(const Key& key) {
       return {{"type", "object"},
               {"maxProperties", key.most_entries},
               {"propertyNames", {{"pattern", lower_snake_case_pattern}}},
-              {"additionalProperties", {{"type", "string"}, {"enum", key.choices}}}};
+              {"additionalProperties",
+               {{"anyOf",
+                 {{{"type", "string"}, {"enum", key.choices}},
+                  {{"type", "object"},
+                   {"propertyNames", {{"pattern", lower_snake_case_pattern}}},
+                   {"additionalProperties", {{"type", "number"}}}}}}}}};
   }
   return json::object();
 }

@@ -146,14 +146,32 @@ json sound_pair(const json& value, const Key& key, const std::string& pointer, F
   return sound_entries(value, pointer, faults, [&](std::size_t) -> const Key& { return one; });
 }
 
+json sound_numbers(const json& value, const std::string& pointer, Faults& faults) {
+  json sound = json::object();
+  for (const auto& [name, number] : value.items()) {
+    const std::string place = pointer_to(pointer, name);
+    if (!is_lower_snake_case(name)) {
+      faults.add(place, "found " + found(name) + " for a name; allowed are lower-case words joined by _");
+    } else if (!number.is_number()) {
+      faults.add(place, "found " + found(number) + "; allowed is a number");
+    } else {
+      sound[name] = number;
+    }
+  }
+  return sound;
+}
+
 json sound_switches(const json& value, const Key& key, const std::string& pointer, Faults& faults) {
   json sound = json::object();
   for (const auto& [name, position] : value.items()) {
     const std::string place = pointer_to(pointer, name);
     if (!is_lower_snake_case(name)) {
       faults.add(place, "found " + found(name) + " for a name; allowed are lower-case words joined by _");
+    } else if (position.is_object()) {
+      sound[name] = sound_numbers(position, place, faults);
     } else if (!is_choice(position, key)) {
-      faults.add(place, "found " + found(position) + "; allowed is one of " + listed(key.choices));
+      faults.add(place, "found " + found(position) + "; allowed is one of " + listed(key.choices) +
+                            ", or an object of numbers");
     } else {
       sound[name] = position;
     }

@@ -19,7 +19,9 @@ Key coordinate(const char* name) {
 Key effects_key() {
   return {.name = "effects",
           .kind = Kind::switch_map,
-          .description = "Effects by name, as the plan lists them: auto lets the scene decide.",
+          .description =
+              "Effects by name, as the plan lists them: auto lets the scene decide. An object of "
+              "numbers switches an effect on with these parameters; the plan says which it has.",
           .most_entries = max_effects,
           .choices = {"auto", "on", "off"}};
 }

@@ -14,7 +14,7 @@ constexpr double relaxation_time = 0.01;
 // Farther than this, in spacings, no step moves a membrane: it has fluid on both sides.
 constexpr double longest_move = 0.01;
 
-class AreaControl : public Effect {
+class AreaControl : public CellEffect {
  public:
   void apply(State& state) override {
     const double share = state.dt / std::max(relaxation_time, 2 * state.dt);
@@ -46,6 +46,6 @@ const EffectKind area_control{
       return of_accurate_scheme(scene, needs_cells(scene, "a cell keeps its volume"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<AreaControl>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

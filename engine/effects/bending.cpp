@@ -15,6 +15,6 @@ const EffectKind bending{
     [](State&) -> std::unique_ptr<Effect> {
       return std::make_unique<ElasticEnergy>(cells::add_bending_forces, cells::append_bending_stiffness);
     },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -42,6 +42,7 @@
 #include "engine/effects/wall_clearance.h"
 #include "engine/effects/wall_end_exclusion.h"
 #include "engine/effects/watch.h"
+#include "engine/effects/waveform.h"
 
 namespace rouleau::effects {
 
@@ -56,6 +57,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &particle_motion,
       &wall_clearance,
       &membrane_sides,
+      &waveform,
       &inflow,
       &outflow,
       &deflation,
@@ -109,9 +111,11 @@ std::string_view name_of(Stage stage) {
     case Stage::motion:
       return "motion";
     case Stage::checks:
+      return "checks";
+    case Stage::observers:
       break;
   }
-  return "checks";
+  return "observers";
 }
 
 Need always(std::string reason) {
@@ -131,6 +135,11 @@ Need needs_cells_that_leave(const Case& scene, std::string reason) {
 bool has_membranes(const State& state) {
   return std::any_of(state.cells.begin(), state.cells.end(),
                      [](const CellState& cell) { return !cell.departure; });
+}
+
+Need on_request(Need can, std::string reason) {
+  if (!can.called_for) return can;
+  return {false, std::move(reason), "/effects", true};
 }
 
 Need of_published_scheme(const Case& scene, std::string reason) {

@@ -15,27 +15,67 @@ namespace {
 constexpr double wall_range = 0.5;
 constexpr double membrane_range = 0.75;
 constexpr int own_neighbourhood = 6;
+// In spacings: where nothing is this much farther off, nothing can come in range until a node has moved half
+// of it.
+constexpr double clearance = 1;
 // Acceleration of a node at 0.38 of the range, in nu U / d0^2: ten times what viscous traction can bring up.
 constexpr double strength = 10;
 
-class Contacts : public Effect {
+class Contacts : public CellEffect {
  public:
+  /// Not while the membranes have moved too little since nothing was near for anything to be in range.
+  bool awake(const State& state) override {
+    return has_membranes(state) && !(still_clear(state) || look_around(state));
+  }
+
   void apply(State& state) override {
-    boxes_.clear();
-    for (const CellState& cell : state.cells) boxes_.emplace_back(state.ring(cell));
+    find_boxes(state);
     bool touches = false;
     for (std::size_t c = 0; c < state.cells.size(); ++c) {
-      find_walls(state, c);
+      find_walls(state, c, wall_range * state.spacing);
       touches |= push(state, c, wall_range);
-      find_membranes(state, c);
+      find_membranes(state, c, membrane_range * state.spacing);
       touches |= push(state, c, membrane_range);
     }
     if (touches) ++state.counters.contact_steps;
   }
 
  private:
-  void find_walls(const State& state, std::size_t c) {
-    const double range = wall_range * state.spacing;
+  bool still_clear(const State& state) const {
+    const auto nodes = static_cast<std::size_t>(state.particles.membrane_end());
+    if (clear_x_.size() != nodes) return false;
+    const double most = 0.5 * clearance * state.spacing;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const double dx = state.particles.x[i] - clear_x_[i], dy = state.particles.y[i] - clear_y_[i];
+      if (dx * dx + dy * dy > most * most) return false;
+    }
+    return true;
+  }
+
+  /// Whether nothing is near; then notes where the nodes are.
+  bool look_around(const State& state) {
+    find_boxes(state);
+    clear_x_.clear();
+    clear_y_.clear();
+    for (std::size_t c = 0; c < state.cells.size() && contacts_.empty(); ++c) {
+      find_walls(state, c, (wall_range + clearance) * state.spacing);
+      find_membranes(state, c, (membrane_range + clearance) * state.spacing);
+    }
+    const bool clear = contacts_.empty();
+    contacts_.clear();
+    if (!clear) return false;
+    const auto& particles = state.particles;
+    clear_x_.assign(particles.x.begin(), particles.x.begin() + particles.membrane_end());
+    clear_y_.assign(particles.y.begin(), particles.y.begin() + particles.membrane_end());
+    return true;
+  }
+
+  void find_boxes(const State& state) {
+    boxes_.clear();
+    for (const CellState& cell : state.cells) boxes_.emplace_back(state.ring(cell));
+  }
+
+  void find_walls(const State& state, std::size_t c, double range) {
     const cells::Box& box = boxes_[c].whole();
     const double reach = std::hypot(box.x1 - box.x0, box.y1 - box.y0) / 2 + range;
     if (state.outline.distance((box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2).value > reach) return;
@@ -58,21 +98,21 @@ class Contacts : public Effect {
     }
   }
 
-  void find_membranes(const State& state, std::size_t c) {
+  void find_membranes(const State& state, std::size_t c, double range) {
     for (std::size_t other = 0; other < state.cells.size(); ++other) {
       cells::append_contacts(boxes_[c], state.cells[c].first_node, boxes_[other],
-                             state.cells[other].first_node, membrane_range * state.spacing,
-                             other == c ? own_neighbourhood : -1, contacts_);
+                             state.cells[other].first_node, range, other == c ? own_neighbourhood : -1,
+                             contacts_);
     }
-    state.outline.visit_images([&](double dx, double dy) { find_image(state, c, dx, dy); });
+    state.outline.visit_images([&](double dx, double dy) { find_image(state, c, range, dx, dy); });
   }
 
   /// The contacts of a cell that is displaced by whole periods.
-  void find_image(const State& state, std::size_t c, double away_x, double away_y) {
+  void find_image(const State& state, std::size_t c, double range, double away_x, double away_y) {
     const cells::RingImage image(boxes_[c].ring(), away_x, away_y);
     for (std::size_t other = 0; other < state.cells.size(); ++other) {
       cells::append_contacts(image.boxes(), state.cells[c].first_node, boxes_[other],
-                             state.cells[other].first_node, membrane_range * state.spacing, -1, contacts_);
+                             state.cells[other].first_node, range, -1, contacts_);
     }
   }
 
@@ -89,6 +129,7 @@ class Contacts : public Effect {
 
   std::vector<cells::LinkBoxes> boxes_;
   std::vector<cells::Contact> contacts_;
+  std::vector<double> clear_x_, clear_y_;  ///< [membrane nodes] when nothing was near; empty: something was
 };
 
 }  // namespace
@@ -101,6 +142,6 @@ const EffectKind contact{"contact",
                                scene, needs_cells(scene, "a cell can come near walls and membranes"));
                          },
                          [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contacts>(); },
-                         has_membranes};
+                         "while no wall and no other membrane is near"};
 
 }  // namespace rouleau::effects

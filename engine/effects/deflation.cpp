@@ -12,6 +12,15 @@ using particles::Group;
 
 class Deflation : public Effect {
  public:
+  bool awake(const State& state) override {
+    for (std::size_t c = 0; c < state.cells.size(); ++c) {
+      const CellState& cell = state.cells[c];
+      if (cell.circle_area == 0 || cell.nodes == 0) continue;
+      if (cell.area_rate != 0 || cell.start_area != deflated_area(state, state.scene.cells[c])) return true;
+    }
+    return false;
+  }
+
   void apply(State& state) override {
     for (std::size_t c = 0; c < state.cells.size(); ++c) {
       CellState& cell = state.cells[c];
@@ -27,11 +36,16 @@ class Deflation : public Effect {
   }
 
  private:
+  static double deflated_area(const State& state, const RedCell& given) {
+    const double diameter = given.diameter / state.scales.length;
+    return given.fill * std::numbers::pi * diameter * diameter / 4;
+  }
+
   /// The area falls evenly while the unit of velocity, in an open vessel the mean inflow, covers the cell's
   /// diameter.
   static void set_area(const State& state, const RedCell& given, CellState& cell) {
     const double diameter = given.diameter / state.scales.length;
-    const double deflated = given.fill * std::numbers::pi * diameter * diameter / 4;
+    const double deflated = deflated_area(state, given);
     const double progress = std::min((state.time + state.dt) / diameter, 1.0);
     cell.start_area = std::lerp(cell.circle_area, deflated, progress);
     cell.area_rate = progress < 1 ? (deflated - cell.circle_area) / diameter : 0;
@@ -74,12 +88,15 @@ class Deflation : public Effect {
 }  // namespace
 
 const EffectKind deflation{
-    "deflation", Stage::boundaries, false,
+    "deflation",
+    Stage::boundaries,
+    false,
     [](const Case& scene) {
       const bool any = std::any_of(scene.cells.begin(), scene.cells.end(), deflates);
       return Need{any, any ? "a cell deflates from its circle" : "no cell starts as a circle to deflate",
                   "/cells"};
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Deflation>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Deflation>(); },
+    "once every cell has its area"};
 
 }  // namespace rouleau::effects

@@ -20,7 +20,7 @@ struct Approach {
   int outlet = 0;
 };
 
-class Departing : public Effect {
+class Departing : public CellEffect {
  public:
   void apply(State& state) override {
     bool any_gone = false;
@@ -85,6 +85,6 @@ const EffectKind departure{
     false,
     [](const Case& scene) { return needs_cells_that_leave(scene, "cells can leave through the outlet"); },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Departing>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -4,7 +4,7 @@ namespace rouleau::effects {
 
 namespace {
 
-class DirectForces : public Effect {
+class DirectForces : public CellEffect {
  public:
   void apply(State& state) override {
     const double per_mass = 1 / (state.spacing * state.spacing);
@@ -27,6 +27,6 @@ const EffectKind direct_forces{
                                                     "eq. 13"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<DirectForces>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

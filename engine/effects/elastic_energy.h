@@ -9,7 +9,7 @@ namespace rouleau::effects {
 
 /// One elastic energy of the membranes as an effect: its forces on the nodes and the stiffness that the
 /// viscous step takes into account.
-class ElasticEnergy : public Effect {
+class ElasticEnergy : public CellEffect {
  public:
   using AddForces = void (*)(cells::Ring, const cells::Material&, std::span<double>, std::span<double>);
   using AppendStiffness = void (*)(cells::Ring, const cells::Material&, int, std::vector<cells::Stiffness>&);

@@ -8,6 +8,11 @@ namespace {
 
 class Fading : public Effect {
  public:
+  bool awake(const State& state) override {
+    return std::any_of(state.cells.begin(), state.cells.end(),
+                       [](const CellState& cell) { return !cell.departure && cell.presence < 1; });
+  }
+
   void apply(State& state) override {
     const auto presence = [&](int node) { return state.cells[state.particles.cell[node]].presence; };
     for (int node = 0; node < state.particles.membrane_end(); ++node) {
@@ -18,11 +23,6 @@ class Fading : public Effect {
   }
 };
 
-bool any_cell_fades(const State& state) {
-  return std::any_of(state.cells.begin(), state.cells.end(),
-                     [](const CellState& cell) { return !cell.departure && cell.presence < 1; });
-}
-
 }  // namespace
 
 const EffectKind fading{"fading",
@@ -32,6 +32,6 @@ const EffectKind fading{"fading",
                           return needs_cells_that_leave(scene, "a membrane's forces fade before an outlet");
                         },
                         [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Fading>(); },
-                        any_cell_fades};
+                        "while no cell is near an outlet"};
 
 }  // namespace rouleau::effects

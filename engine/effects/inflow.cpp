@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/case/waveform.h"
-
 namespace rouleau::effects {
 
 namespace {
@@ -27,16 +25,13 @@ class Inflow : public Effect {
     for (int k = 1; k <= state.rows(); ++k) {
       const double y = state.row_y(k);
       const double velocity = plug ? plug_velocity : state.parabola(y / height);
-      const Lane lane{y, velocity,
-                      velocity * waveform_factor(state.scene.inflow, state.time * state.scales.time()),
-                      state.row_offset(k) - 0.5 * d0};
+      const Lane lane{y, velocity, velocity * state.inflow_factor, state.row_offset(k) - 0.5 * d0};
       for (int column = 0; column < buffer_depth; ++column) emit(state, lane, lane.head - column * d0);
       state.lanes.push_back(lane);
     }
   }
 
   void apply(State& state) override {
-    const double factor = waveform_factor(state.scene.inflow, (state.time + state.dt) * state.scales.time());
     const double d0 = state.spacing;
     admit(state);
     for (Lane& lane : state.lanes) {
@@ -50,7 +45,7 @@ class Inflow : public Effect {
         lane.head += d0;
         emit(state, lane, lane.head);
       }
-      lane.speed = lane.velocity * factor;
+      lane.speed = lane.velocity * state.inflow_factor;
     }
     drive(state);
   }

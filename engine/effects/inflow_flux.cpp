@@ -1,7 +1,5 @@
 #include "engine/effects/inflow_flux.h"
 
-#include "engine/case/waveform.h"
-
 namespace rouleau::effects {
 
 namespace {
@@ -18,8 +16,7 @@ class InflowFlux : public Effect {
     const auto& particles = state.particles;
     const double volume = state.spacing * state.spacing;
     const double plane = balance_depth * state.spacing;
-    const double wanted = state.outline.height() *
-                          waveform_factor(state.scene.inflow, (state.time + state.dt) * state.scales.time());
+    const double wanted = state.outline.height() * state.inflow_factor;
     double removed = 0;
     layer_.clear();
     for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {

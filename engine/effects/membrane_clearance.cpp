@@ -11,7 +11,7 @@ constexpr double clearance = 0.4;      // spacings
 constexpr double longest_push = 0.05;  // spacings a step
 constexpr double lost = 0.8;           // farther through than this, it is not this effect's to mend
 
-class MembraneClearance : public Effect {
+class MembraneClearance : public CellEffect {
  public:
   void apply(State& state) override {
     for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
@@ -75,6 +75,6 @@ const EffectKind membrane_clearance{
       return of_accurate_scheme(scene, needs_cells(scene, "fluid must not crowd onto a membrane"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneClearance>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -33,7 +33,7 @@ struct Facet {
 /// What differs from the mean is shared out so that the fluid gets what the node gives. Rebuilt every step,
 /// and applied to the forces as they are and, as an implicit force, to what the membranes' stiffness makes of
 /// the velocities.
-class MembraneCoupling : public Effect, public ImplicitForce {
+class MembraneCoupling : public CellEffect, public ImplicitForce {
  public:
   void apply(State& state) override {
     build(state);
@@ -273,6 +273,6 @@ const EffectKind membrane_coupling{
       return of_accurate_scheme(scene, needs_cells(scene, "the fluid feels the membranes' forces"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneCoupling>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

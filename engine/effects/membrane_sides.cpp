@@ -10,7 +10,7 @@ namespace {
 // Spacings behind the link, the next where the cell is too thin for the one before.
 constexpr double return_depths[] = {0.1, 0.02, 0.004};
 
-class MembraneSides : public Effect {
+class MembraneSides : public CellEffect {
  public:
   void apply(State& state) override {
     const auto& particles = state.particles;
@@ -67,6 +67,6 @@ const EffectKind membrane_sides{
       return of_accurate_scheme(scene, needs_cells(scene, "a membrane lets no fluid through"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneSides>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -13,7 +13,7 @@ namespace rouleau::effects {
 
 namespace {
 
-class MembraneWatch : public Effect {
+class MembraneWatch : public CellEffect {
  public:
   void apply(State& state) override {
     boxes_.clear();
@@ -91,6 +91,6 @@ const EffectKind membrane_watch{
     false,
     [](const Case& scene) { return of_accurate_scheme(scene, needs_cells(scene, "a cell must stay whole")); },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneWatch>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -6,7 +6,7 @@ namespace rouleau::effects {
 
 namespace {
 
-class PrintedBending : public Effect {
+class PrintedBending : public CellEffect {
  public:
   void apply(State& state) override {
     for (const CellState& cell : state.cells) {
@@ -29,6 +29,6 @@ const EffectKind printed_bending{
                                  needs_cells(scene, "a cell's membrane resists bending: eq. 11 as printed"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<PrintedBending>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -109,8 +109,9 @@ struct State {
   double time = 0;
   long step = 0;
   double dt = 0;
-  double last_dt = 0;  ///< of the step before; 0: there was none
-  double speed = 0;    ///< the fastest particle's, at the end of the last step
+  double last_dt = 0;        ///< of the step before; 0: there was none
+  double inflow_factor = 1;  ///< of the inlet's mean velocity, at the end of the step
+  double speed = 0;          ///< the fastest particle's, at the end of the last step
 
   particles::ParticleSet particles;
   particles::NeighbourList neighbours;

@@ -13,6 +13,6 @@ const EffectKind stretch{
     [](State&) -> std::unique_ptr<Effect> {
       return std::make_unique<ElasticEnergy>(cells::add_stretch_forces, cells::append_stretch_stiffness);
     },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -22,7 +22,7 @@ constexpr double most_refinement = 3;
 // are stiff below 0.8 l0.
 constexpr double most_stretched = 1.8, most_crowded = 0.4;
 
-class ThinCells : public Effect {
+class ThinCells : public CellEffect {
  public:
   void apply(State& state) override {
     state.wanted_spacing = 0;
@@ -88,6 +88,6 @@ const EffectKind thin_cells{
       return need;
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ThinCells>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -10,7 +10,7 @@ constexpr int smoothing_passes = 2;
 
 /// div(nu grad u) by the Laplacian's weights, each times the mean viscosity of its pair, and implicitly the
 /// other half of the stress, d_k nu d_i u_k, where the viscosity has a gradient.
-class ViscosityContrast : public Effect, public ImplicitForce {
+class ViscosityContrast : public CellEffect, public ImplicitForce {
  public:
   void apply(State& state) override {
     find_factors(state);
@@ -124,6 +124,6 @@ const EffectKind viscosity_contrast{
       return need;
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityContrast>(); },
-    has_membranes};
+    CellEffect::rests};
 
 }  // namespace rouleau::effects

@@ -64,11 +64,15 @@ std::int64_t thinning(const State& state) {
   return static_cast<std::int64_t>(std::ceil(finer * finer));
 }
 
+class Frames : public Observer {
+ public:
+  void draw(const State& state, Frame& frame) override { draw_particles(state, frame); }
+};
+
 }  // namespace
 
-Frame make_frame(const effects::State& state, const WallShear& wall_shear) {
+void draw_particles(const effects::State& state, Frame& frame) {
   const auto& particles = state.particles;
-  Frame frame;
   frame.time = state.time * state.scales.time();
   frame.step = state.step;
   FrameWriter writer(state, frame);
@@ -80,8 +84,17 @@ Frame make_frame(const effects::State& state, const WallShear& wall_shear) {
     if (particles.id[i] % one_in != 0) continue;
     writer.add(i, particles.cell[i] >= 0 ? ParticleKind::inside : ParticleKind::plasma);
   }
-  frame.wall_shear_stress = wall_shear.stress(state);
-  return frame;
 }
+
+const ObserverKind frames{
+    "frames", false,
+    [](const Case& scene) {
+      const bool asked = scene.output.frame_interval > 0;
+      return effects::Need{asked, asked ? "frames of all particles are asked for" : "no frames are asked for",
+                           "/output/frame_interval"};
+    },
+    [](const State&, const CellFreeFlow&) -> std::unique_ptr<Observer> {
+      return std::make_unique<Frames>();
+    }};
 
 }  // namespace rouleau::observe

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "engine/effects/state.h"
-#include "engine/observe/output.h"
-#include "engine/observe/wall_shear.h"
+#include "engine/observe/observer.h"
 
 namespace rouleau::observe {
 
-/// The moving particles as they are now, with the fields that the case asks for.
-Frame make_frame(const effects::State& state, const WallShear& wall_shear);
+/// The moving particles, with the fields that the case asks for.
+extern const ObserverKind frames;
+
+/// What it draws of the particles as they are now.
+void draw_particles(const effects::State& state, Frame& frame);
 
 }  // namespace rouleau::observe

@@ -52,7 +52,7 @@ std::vector<ProbeLine> Probes::lines() const {
   return lines;
 }
 
-std::vector<ProbeValues> Probes::sample(const effects::State& state) const {
+std::vector<ProbeValues> Probes::values(const effects::State& state) const {
   std::vector<ProbeValues> values;
   for (const Line& line : lines_) {
     const operators::Sampler sampler(state.particles, sampling_reach(state), box_of(line.points));
@@ -70,5 +70,15 @@ std::vector<ProbeValues> Probes::sample(const effects::State& state) const {
   }
   return values;
 }
+
+const ObserverKind probes{
+    "probes", false,
+    [](const Case& scene) {
+      const bool asked = !scene.probes.empty();
+      return effects::Need{asked, asked ? "the case has probes" : "the case has no probes", "/probes"};
+    },
+    [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
+      return std::make_unique<Probes>(start);
+    }};
 
 }  // namespace rouleau::observe

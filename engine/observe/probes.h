@@ -2,14 +2,13 @@
 
 #include <vector>
 
-#include "engine/effects/state.h"
-#include "engine/observe/output.h"
+#include "engine/observe/observer.h"
 
 namespace rouleau::observe {
 
 /// Samples the case's probes. What does not change is found once: which of their points lie in the fluid
 /// and which parts of their lines the flux goes through.
-class Probes {
+class Probes : public Observer {
  public:
   explicit Probes(const effects::State& state);
 
@@ -17,7 +16,10 @@ class Probes {
   std::vector<ProbeLine> lines() const;
 
   /// One entry a probe.
-  std::vector<ProbeValues> sample(const effects::State& state) const;
+  std::vector<ProbeValues> values(const effects::State& state) const;
+
+  void describe(Recorded& recorded) const override { recorded.probes = lines(); }
+  void sample(const effects::State& state, Row& row) override { row.probes = values(state); }
 
  private:
   struct Line {
@@ -31,5 +33,7 @@ class Probes {
   std::vector<Line> lines_;
   double length_unit_;
 };
+
+extern const ObserverKind probes;
 
 }  // namespace rouleau::observe

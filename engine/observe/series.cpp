@@ -42,6 +42,19 @@ const std::array membrane_columns{Column{"strain_mean", "1"},
                                   Column{"wall_gap", "m"},
                                   Column{"cell_gap", "m"}};
 
+class Series : public Observer {
+ public:
+  explicit Series(const effects::State& start) : planes_(flow_planes(start)) {}
+
+  void sample(const effects::State& state, Row& row) override {
+    const std::vector<double> values = series_row(state, planes_);
+    row.values.insert(row.values.end(), values.begin(), values.end());
+  }
+
+ private:
+  FlowPlanes planes_;
+};
+
 }  // namespace
 
 std::vector<Column> series_columns(const Case& scene) {
@@ -105,5 +118,17 @@ std::vector<double> series_row(const effects::State& state, const FlowPlanes& pl
   if (!state.scene.cells.empty()) row.push_back(state.spacing * s.length);
   return row;
 }
+
+const ObserverKind series{"series", false,
+                          [](const Case& scene) {
+                            const bool asked = scene.output.series_interval > 0;
+                            return effects::Need{
+                                asked, asked ? "a time series is asked for" : "no time series is asked for",
+                                "/output/series_interval"};
+                          },
+                          [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
+                            return std::make_unique<Series>(start);
+                          },
+                          series_columns};
 
 }  // namespace rouleau::observe

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <vector>
-
-#include "engine/effects/state.h"
 #include "engine/observe/flow_planes.h"
-#include "engine/observe/output.h"
+#include "engine/observe/observer.h"
 
 namespace rouleau::observe {
 
-/// Columns of the time series of a scene, in their fixed order.
+/// The time series of the cells and the flow.
+extern const ObserverKind series;
+
+/// Its columns, in their fixed order.
 std::vector<Column> series_columns(const Case& scene);
 
 /// One value a column, SI.

@@ -34,7 +34,7 @@ Tally::Tally(const effects::State& state)
       has_openings_(!state.outline.inlets().empty()),
       develops_(becomes_parabola(state.scene)) {}
 
-void Tally::add(const effects::State& state) {
+void Tally::follow(const effects::State& state) {
   for (std::size_t k = 0; k < cells_.size(); ++k) {
     if (state.cells[k].departure) {
       cells_[k].departure = in_si(*state.cells[k].departure, state.scales);
@@ -98,5 +98,14 @@ void Tally::report(RunSummary& summary) const {
     summary.poiseuille_deviation_worst = deviation_worst_;
   }
 }
+
+const ObserverKind run_summary{
+    "summary", false,
+    [](const Case&) {
+      return effects::always("the summary says what became of the cells and what was conserved");
+    },
+    [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
+      return std::make_unique<Tally>(start);
+    }};
 
 }  // namespace rouleau::observe

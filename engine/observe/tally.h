@@ -1,22 +1,21 @@
 #pragma once
 
-#include "engine/effects/state.h"
 #include "engine/observe/flow_planes.h"
-#include "engine/simulation/run.h"
+#include "engine/observe/observer.h"
 
 namespace rouleau::observe {
 
 /// Keeps what a summary needs: extremes of the cells, flow through the openings, eq. 22 where it applies.
-class Tally {
+class Tally : public Observer {
  public:
   explicit Tally(const effects::State& state);
 
-  /// After every step.
-  void add(const effects::State& state);
+  void follow(const effects::State& state) override;
   /// Into the summary's members that are the tally's.
-  void report(RunSummary& summary) const;
+  void report(RunSummary& summary) const override;
 
-  /// What it has gathered, for a checkpoint.
+  void save(ByteWriter& bytes) override { bytes(*this); }
+  void restore(ByteReader& bytes) override { bytes(*this); }
   template <class Stream>
   friend void visit(Stream& stream, Tally& tally) {
     const std::size_t cells = tally.cells_.size();
@@ -38,5 +37,7 @@ class Tally {
   double deviation_sum_ = 0, deviation_worst_ = 0;
   long deviation_samples_ = 0;
 };
+
+extern const ObserverKind run_summary;
 
 }  // namespace rouleau::observe

@@ -61,7 +61,6 @@ operators::SamplingBox box_of(const geometry::Bounds& bounds) {
 }  // namespace
 
 WallShear::WallShear(const effects::State& state) : length_unit_(state.scales.length) {
-  if (!carries(state.scene, Field::wall_shear_stress)) return;
   int number = 0;
   for (const geometry::WallChain& chain : state.outline.walls()) add_wall(chain, state.spacing, number++);
 }
@@ -139,7 +138,6 @@ double WallShear::slope(const effects::State& state, const Node& node,
 
 std::vector<float> WallShear::stress(const effects::State& state) const {
   std::vector<float> stress;
-  if (nodes_.empty()) return stress;
   const operators::SamplingReach reach = sampling_reach(state);
   const operators::Sampler sampler(state.particles, reach, box_of(state.outline.bounds()));
   std::vector<operators::SampledParticle> near;
@@ -150,5 +148,19 @@ std::vector<float> WallShear::stress(const effects::State& state) const {
   }
   return stress;
 }
+
+const ObserverKind wall_shear_stress{
+    "wall_shear_stress", false,
+    [](const Case& scene) {
+      if (scene.output.frame_interval <= 0) {
+        return effects::Need{false, "no frames are asked for", "/output/frame_interval"};
+      }
+      const bool asked = carries(scene, Field::wall_shear_stress);
+      return effects::Need{asked, asked ? "frames carry the stress on the walls" : "no frame carries it",
+                           "/output/fields"};
+    },
+    [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
+      return std::make_unique<WallShear>(start);
+    }};
 
 }  // namespace rouleau::observe

@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "engine/effects/state.h"
-#include "engine/observe/output.h"
+#include "engine/observe/observer.h"
 
 namespace rouleau::observe {
 
@@ -15,9 +14,8 @@ namespace rouleau::observe {
 /// the nearest, as n (a + b s + c n + d s^2) in the distance n from it and the way s along it, so that the
 /// fluid sticks to the wall on an arc as well; a is the slope wanted. Exact for a parabola along a straight
 /// wall. Without d the crest of a bump of four spacings, where the stress peaks, would lose 5 % more.
-class WallShear {
+class WallShear : public Observer {
  public:
-  /// Without nodes unless `output.fields` names the stress.
   explicit WallShear(const effects::State& state);
 
   /// In SI units, as the header has them.
@@ -25,6 +23,9 @@ class WallShear {
 
   /// [nodes] Pa; NaN where no particle is near.
   std::vector<float> stress(const effects::State& state) const;
+
+  void describe(Recorded& recorded) const override { recorded.walls = nodes(); }
+  void draw(const effects::State& state, Frame& frame) override { frame.wall_shear_stress = stress(state); }
 
  private:
   struct Node {
@@ -44,5 +45,7 @@ class WallShear {
   std::vector<Node> nodes_;
   double length_unit_;
 };
+
+extern const ObserverKind wall_shear_stress;
 
 }  // namespace rouleau::observe

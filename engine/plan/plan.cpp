@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -10,44 +11,94 @@
 #include "engine/case/scales.h"
 #include "engine/case/waveform.h"
 #include "engine/effects/effect.h"
+#include "engine/observe/observer.h"
 
 namespace rouleau {
 
 namespace {
 
-using effects::EffectKind;
-
 // Fraction of a spacing that the fastest fluid moves in a step. The
 // explicit transport of pressure would allow 0.5.
 constexpr double courant = 0.2;
 
+/// What the plan reads of an effect or an observer.
+struct Candidate {
+  std::string_view name;
+  std::string_view stage;
+  bool optional;
+  effects::Need (*need)(const Case& scene);
+  std::string_view rests;
+  const std::vector<effects::Parameter>* parameters;
+};
+
+const std::vector<Candidate>& candidates() {
+  static const std::vector<Candidate> all = [] {
+    std::vector<Candidate> found;
+    for (const effects::EffectKind* kind : effects::catalogue()) {
+      found.push_back(
+          {kind->name, name_of(kind->stage), kind->optional, kind->need, kind->rests, &kind->parameters});
+    }
+    for (const observe::ObserverKind* kind : observe::catalogue()) {
+      found.push_back({kind->name, name_of(effects::Stage::observers), kind->optional, kind->need, "",
+                       &kind->parameters});
+    }
+    return found;
+  }();
+  return all;
+}
+
 std::string known_effects() {
   std::string names;
-  for (const EffectKind* kind : effects::catalogue()) {
-    names += (names.empty() ? "" : ", ") + std::string(kind->name);
-  }
+  for (const Candidate& one : candidates()) names += (names.empty() ? "" : ", ") + std::string(one.name);
   return names;
 }
 
-Switch wish_for(const Case& scene, const EffectKind& kind) {
-  const auto wish = scene.effects.find(std::string(kind.name));
-  return wish == scene.effects.end() ? Switch::automatic : wish->second;
+Switch wish_for(const Case& scene, std::string_view name) {
+  const auto wish = scene.effects.find(std::string(name));
+  return wish == scene.effects.end() ? Switch::automatic : wish->second.position;
 }
 
-PlannedEffect plan_effect(const EffectKind& kind, const Case& scene) {
-  const effects::Need need = kind.need(scene);
-  PlannedEffect planned{std::string(kind.name), std::string(name_of(kind.stage)), need.called_for,
-                        need.reason, need.pointer};
-  if (need.called_for && wish_for(scene, kind) == Switch::off) {
+PlannedEffect plan_effect(const Candidate& one, const Case& scene) {
+  const effects::Need need = one.need(scene);
+  PlannedEffect planned{std::string(one.name), std::string(one.stage), need.called_for,
+                        need.reason,           need.pointer,           std::string(one.rests)};
+  if (need.called_for && wish_for(scene, one.name) == Switch::off) {
     planned.on = false;
     planned.reason = "switched off by the case";
     planned.pointer = "/effects/" + planned.name;
-  } else if (need.on_request && wish_for(scene, kind) == Switch::on) {
+  } else if (need.on_request && wish_for(scene, one.name) == Switch::on) {
     planned.on = true;
     planned.reason = "switched on by the case";
     planned.pointer = "/effects/" + planned.name;
   }
   return planned;
+}
+
+std::string names_of(const std::vector<effects::Parameter>& parameters) {
+  std::string names;
+  for (const effects::Parameter& one : parameters)
+    names += (names.empty() ? "" : ", ") + std::string(one.name);
+  return names;
+}
+
+void check_parameters(const Candidate& one, const std::map<std::string, double>& given,
+                      const std::string& pointer, std::vector<Fault>& faults) {
+  for (const auto& [name, value] : given) {
+    const auto declared =
+        std::find_if(one.parameters->begin(), one.parameters->end(),
+                     [&name = name](const effects::Parameter& p) { return p.name == name; });
+    if (declared == one.parameters->end()) {
+      const std::string allowed = names_of(*one.parameters);
+      faults.push_back({pointer + "/" + name,
+                        "unknown parameter; " + (allowed.empty() ? "it has none" : "it has: " + allowed)});
+    } else if (!(value >= declared->least && value <= declared->most)) {
+      std::ostringstream text;
+      text << "found " << value << "; allowed is a number from " << declared->least << " to "
+           << declared->most;
+      if (declared->unit != "1") text << ' ' << declared->unit;
+      faults.push_back({pointer + "/" + name, text.str()});
+    }
+  }
 }
 
 int count_membrane_nodes(const Case& scene, double spacing) {
@@ -74,22 +125,32 @@ double fastest_expected(const effects::State& state) {
 
 }  // namespace
 
-void check_effects(const Case& scene, std::vector<Fault>& faults) {
-  const auto& kinds = effects::catalogue();
-  for (const auto& entry : scene.effects) {
+bool runs(const Plan& plan, std::string_view name) {
+  return std::any_of(plan.effects.begin(), plan.effects.end(),
+                     [&](const PlannedEffect& e) { return e.on && e.name == name; });
+}
+
+void check_effects(Case& scene, std::vector<Fault>& faults) {
+  const auto& all = candidates();
+  for (auto& entry : scene.effects) {
     const std::string& name = entry.first;
-    const Switch wish = entry.second;
+    const Switch wish = entry.second.position;
     const std::string pointer = "/effects/" + name;
-    const auto kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const EffectKind* k) { return k->name == name; });
-    if (kind == kinds.end()) {
+    const auto one = std::find_if(all.begin(), all.end(), [&](const Candidate& c) { return c.name == name; });
+    if (one == all.end()) {
       faults.push_back({pointer, "no effect has this name; there are: " + known_effects()});
       continue;
     }
-    const effects::Need need = (*kind)->need(scene);
+    check_parameters(*one, entry.second.parameters, pointer, faults);
+    if (wish == Switch::on) {
+      for (const effects::Parameter& p : *one->parameters) {
+        entry.second.parameters.try_emplace(std::string(p.name), p.fallback);
+      }
+    }
+    const effects::Need need = one->need(scene);
     if (wish == Switch::on && !need.called_for && !need.on_request) {
       faults.push_back({pointer, "\"on\", but " + need.reason + "; use \"auto\" or \"off\""});
-    } else if (wish == Switch::off && need.called_for && !(*kind)->optional) {
+    } else if (wish == Switch::off && need.called_for && !one->optional) {
       faults.push_back({pointer, "\"off\", but " + need.reason + ": this effect cannot be left out"});
     }
   }
@@ -97,10 +158,11 @@ void check_effects(const Case& scene, std::vector<Fault>& faults) {
 
 Plan make_plan(const Case& scene) {
   std::vector<Fault> faults;
-  check_effects(scene, faults);
+  Case checked = scene;
+  check_effects(checked, faults);
   if (!faults.empty()) throw CaseError(std::move(faults));
   Plan plan;
-  for (const EffectKind* kind : effects::catalogue()) plan.effects.push_back(plan_effect(*kind, scene));
+  for (const Candidate& one : candidates()) plan.effects.push_back(plan_effect(one, scene));
 
   const double diameter = scene.vessel.diameter;
   plan.spacing = diameter / std::round(diameter / scene.numerics.spacing);
@@ -124,8 +186,12 @@ Plan make_plan(const Case& scene) {
 nlohmann::json to_json(const Plan& plan) {
   nlohmann::json effects = nlohmann::json::array();
   for (const PlannedEffect& e : plan.effects) {
-    effects.push_back(
-        {{"name", e.name}, {"stage", e.stage}, {"on", e.on}, {"reason", e.reason}, {"pointer", e.pointer}});
+    effects.push_back({{"name", e.name},
+                       {"stage", e.stage},
+                       {"on", e.on},
+                       {"reason", e.reason},
+                       {"pointer", e.pointer},
+                       {"rests", e.rests}});
   }
   return {{"effects", effects},
           {"spacing", plan.spacing},

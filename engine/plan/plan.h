@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
@@ -10,13 +11,14 @@
 
 namespace rouleau {
 
-/// One line of the plan: an effect that the catalogue knows, whether this scene runs it, and why.
+/// One line of the plan: an effect or observer that the catalogues know, whether this scene runs it, and why.
 struct PlannedEffect {
   std::string name;
   std::string stage;
   bool on = false;
   std::string reason;   ///< a sentence for a person
   std::string pointer;  ///< JSON Pointer to the part of the case that decided, "" if none did
+  std::string rests;    ///< when it sleeps inside a run, as a part of a sentence; "" if never
 };
 
 /// What will run, known before anything runs.
@@ -31,9 +33,14 @@ struct Plan {
   long steps = 0;
 };
 
-/// Faults of the case's `effects`: names that no effect has, "on" for what the scene cannot carry, "off" for
-/// what it cannot do without. To be given to `read_case`, which then reports them with all others.
-void check_effects(const Case& resolved, std::vector<Fault>& faults);
+/// Whether the plan runs an effect or observer.
+bool runs(const Plan& plan, std::string_view name);
+
+/// Faults of the case's `effects`: names that no effect has, parameters that it does not have or that are out
+/// of range, "on" for what the scene cannot carry, "off" for what it cannot do without. Fills in the
+/// parameters that the case leaves out. To be given to `read_case`, which then reports the faults with all
+/// others.
+void check_effects(Case& resolved, std::vector<Fault>& faults);
 
 /// @throws CaseError where `effects` asks for what the scene cannot carry, or leaves out what it needs
 Plan make_plan(const Case& resolved);

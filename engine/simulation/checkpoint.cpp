@@ -10,7 +10,7 @@ namespace rouleau {
 namespace {
 
 constexpr std::uint64_t mark = 0x746e696f706b6368;  // "hckpoint", and the order of bytes
-constexpr std::uint32_t format = 1;
+constexpr std::uint32_t format = 2;
 
 template <class Stream>
 void visit(Stream& stream, CheckpointHead& head) {

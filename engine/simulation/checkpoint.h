@@ -1,8 +1,8 @@
 #pragma once
 
+#include "engine/bytes/byte_stream.h"
 #include "engine/case/case.h"
-#include "engine/observe/output.h"
-#include "engine/simulation/byte_stream.h"
+#include "engine/simulation/output.h"
 
 namespace rouleau {
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "engine/bytes/byte_stream.h"
 #include "engine/effects/state.h"
-#include "engine/simulation/byte_stream.h"
-#include "engine/simulation/refinement_record.h"
-#include "engine/simulation/run.h"
+#include "engine/observe/refinement_record.h"
+#include "engine/simulation/simulation.h"
 #include "engine/simulation/step_control.h"
 
 /// What lasts from step to step, listed for checkpoints. Structured bindings name every member, so that one
@@ -24,17 +24,9 @@ void visit(Stream& stream, StepCounts& counts) {
 }
 
 template <class Stream>
-void visit(Stream& stream, CellDeparture& departure) {
-  auto& [time, outlet, x, y] = departure;
-  stream(time, outlet, x, y);
-}
-
-template <class Stream>
-void visit(Stream& stream, CellSummary& cell) {
-  auto& [peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, greatest_strain,
-         least_thickness, least_wall_gap, least_cell_gap, time_as, departure] = cell;
-  stream(peak_velocity, peak_velocity_x, peak_tau, least_tau, area_deviation, greatest_strain,
-         least_thickness, least_wall_gap, least_cell_gap, time_as, departure);
+void visit(Stream& stream, Usage& usage) {
+  auto& [seconds, rounds, awake] = usage;
+  stream(seconds, rounds, awake);
 }
 
 template <class Stream>

@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "engine/observe/frames.h"
-#include "engine/observe/probes.h"
-#include "engine/observe/series.h"
-#include "engine/observe/tally.h"
-#include "engine/observe/wall_shear.h"
 #include "engine/simulation/checkpoint.h"
 #include "engine/simulation/lasting.h"
+#include "engine/simulation/observers.h"
 #include "engine/simulation/run_failure.h"
 #include "engine/simulation/simulation.h"
 #include "engine/simulation/watch_report.h"
@@ -52,25 +48,20 @@ class Schedule {
   long count_ = 0;
 };
 
-/// Everything that is looked at while a run lasts.
-struct Observers {
-  explicit Observers(const effects::State& state)
-      : planes(observe::flow_planes(state)), probes(state), wall_shear(state), tally(state) {}
-
-  observe::FlowPlanes planes;
-  observe::Probes probes;
-  observe::WallShear wall_shear;
-  observe::Tally tally;
-};
+/// The settled flow of the same vessel, without what is there for its cells.
+std::unique_ptr<const effects::State> cell_free_flow(const Case& resolved) {
+  Case scene = resolved;
+  scene.cells.clear();
+  scene.effects.clear();
+  scene.initial.flow = InitialFlow::developed;
+  return std::make_unique<const effects::State>(Simulation(scene).state());
+}
 
 RunHeader header_of(const Simulation& simulation, const Observers& observers) {
   const effects::State& state = simulation.state();
-  RunHeader header;
+  RunHeader header{observers.recorded(state.scene), {}, {}, {}, 0};
   header.resolved = state.scene;
   header.plan = simulation.plan();
-  header.columns = observe::series_columns(state.scene);
-  header.probes = observers.probes.lines();
-  header.walls = observers.wall_shear.nodes();
   for (const effects::CellState& cell : state.cells) header.nodes_per_cell.push_back(cell.nodes);
   header.capacity = state.particles.active_end() * 5 / 4 + 64;
   return header;
@@ -102,7 +93,7 @@ std::string reason_for(Ending ending) {
   return "stopped on request; everything until then is whole";
 }
 
-RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, Ending ending, double wall) {
+RunSummary summarise(const Simulation& simulation, const Observers& observers, Ending ending, double wall) {
   const effects::State& state = simulation.state();
   RunSummary summary;
   summary.ending = ending;
@@ -124,7 +115,6 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
       summary.step_limits.push_back({std::string(name_of(static_cast<Limit>(k))), counts.bound[k]});
     }
   }
-  tally.report(summary);
   summary.peak_fluid_speed = state.counters.peak_speed * state.scales.velocity;
   report_watch(state, summary);
   summary.contact_steps = state.counters.contact_steps;
@@ -132,8 +122,10 @@ RunSummary summarise(const Simulation& simulation, const observe::Tally& tally, 
   summary.viscosity_iterations = static_cast<double>(state.counters.viscosity_iterations) / steps;
   summary.pressure_iterations = static_cast<double>(state.counters.pressure_iterations) / steps;
   for (const Simulation::Cost& cost : simulation.costs()) {
-    summary.effect_times.push_back({std::string(cost.kind->name), cost.seconds});
+    const Usage& usage = cost.usage;
+    summary.effect_times.push_back({std::string(cost.kind->name), usage.seconds, usage.rounds, usage.awake});
   }
+  observers.report(summary);
   return summary;
 }
 
@@ -142,7 +134,7 @@ class Run {
  public:
   Run(const Case& resolved, Output& output, const Continuation& continuation)
       : simulation_(resolved),
-        observers_(simulation_.state()),
+        observers_(simulation_.plan(), simulation_.state(), [&] { return cell_free_flow(resolved); }),
         series_(resolved.output.series_interval),
         frames_(resolved.output.frame_interval),
         checkpoint_interval_(continuation.interval),
@@ -169,7 +161,7 @@ class Run {
       }
       if (checkpoint_interval_ > 0 && seconds_since(saved_) >= checkpoint_interval_) save();
       step();
-      tally();
+      observers_.follow(state());
       tell();
     }
     return end(ending);
@@ -179,18 +171,16 @@ class Run {
   const effects::State& state() const { return simulation_.state(); }
 
   void look() {
-    const auto looked = Clock::now();
     if (series_.due(simulation_.time())) {
-      output_.series_row(observe::series_row(state(), observers_.planes));
-      if (!state().scene.probes.empty())
-        output_.probe_row(simulation_.time(), observers_.probes.sample(state()));
+      const Row row = observers_.sample(state());
+      output_.series_row(row.values);
+      if (!row.probes.empty()) output_.probe_row(simulation_.time(), row.probes);
       ++delivered_.rows;
     }
     if (frames_.due(simulation_.time())) {
-      output_.frame(observe::make_frame(state(), observers_.wall_shear));
+      output_.frame(observers_.draw(state()));
       ++delivered_.frames;
     }
-    observing_ += seconds_since(looked);
   }
 
   void step() {
@@ -203,15 +193,7 @@ class Run {
 
   RunSummary end(Ending ending) {
     output_.progress(progress_of(simulation_, start_));
-    RunSummary summary = summarise(simulation_, observers_.tally, ending, seconds_since(start_));
-    summary.effect_times.push_back({"observers", observing_});
-    return summary;
-  }
-
-  void tally() {
-    const auto tallied = Clock::now();
-    observers_.tally.add(state());
-    observing_ += seconds_since(tallied);
+    return summarise(simulation_, observers_, ending, seconds_since(start_));
   }
 
   void tell() {
@@ -226,7 +208,8 @@ class Run {
     ByteWriter bytes;
     write_head(bytes, delivered_, state().scene);
     double elapsed = seconds_since(start_);
-    bytes(elapsed, observing_, series_, frames_, observers_.tally);
+    bytes(elapsed, series_, frames_);
+    observers_.save(bytes);
     simulation_.save(bytes);
     output_.checkpoint({bytes.take()});
     saved_ = Clock::now();
@@ -236,7 +219,8 @@ class Run {
     ByteReader bytes(checkpoint.bytes);
     delivered_ = read_head(bytes, state().scene);
     double elapsed = 0;
-    bytes(elapsed, observing_, series_, frames_, observers_.tally);
+    bytes(elapsed, series_, frames_);
+    observers_.restore(bytes);
     simulation_.restore(bytes);
     if (!bytes.at_end()) throw CheckpointError("the checkpoint is damaged: it is too long");
     if (!(elapsed >= 0 && elapsed < longest_run)) {
@@ -251,7 +235,6 @@ class Run {
   Schedule series_, frames_;
   CheckpointHead delivered_;
   double checkpoint_interval_;
-  double observing_ = 0;  ///< s of wall time
   Clock::time_point told_, saved_;
   Output& output_;
 };

@@ -69,7 +69,12 @@ nlohmann::json to_json(const RunSummary& summary) {
   for (const LimitCount& limit : summary.step_limits) bound[limit.name] = limit.steps;
   nlohmann::json times = nlohmann::json::array();
   for (const EffectTime& time : summary.effect_times) {
-    times.push_back({{"name", time.name}, {"seconds", time.seconds}});
+    times.push_back(
+        {{"name", time.name}, {"seconds", time.seconds}, {"rounds", time.rounds}, {"awake", time.awake}});
+  }
+  nlohmann::json findings = nlohmann::json::object();
+  for (const Finding& finding : summary.findings) {
+    findings[finding.name] = {{"value", finite(finding.value)}, {"unit", finding.unit}};
   }
   nlohmann::json refinements = nlohmann::json::array();
   for (const Refinement& refinement : summary.refinements) {
@@ -98,6 +103,7 @@ nlohmann::json to_json(const RunSummary& summary) {
                          {"wrong_side", summary.wrong_side},
                          {"viscosity_iterations", summary.viscosity_iterations},
                          {"pressure_iterations", summary.pressure_iterations},
+                         {"findings", findings},
                          {"effect_times", times}};
   if (summary.poiseuille_deviation >= 0) {
     json["poiseuille_deviation"] = summary.poiseuille_deviation;

@@ -46,9 +46,7 @@ Simulation::Simulation(const Case& resolved, const Rearrangement& rearrange)
 
 void Simulation::make_effects() {
   for (const effects::EffectKind* kind : effects::catalogue()) {
-    const auto planned = std::find_if(plan_.effects.begin(), plan_.effects.end(),
-                                      [&](const PlannedEffect& e) { return e.name == kind->name; });
-    if (planned->on) effects_.push_back({kind, kind->make(state_)});
+    if (runs(plan_, kind->name)) effects_.push_back({kind, kind->make(state_), {}});
   }
 }
 
@@ -68,7 +66,7 @@ void Simulation::remake(effects::State state) {
   const std::vector<Cost> spent = costs();
   effects_.clear();
   make_effects();
-  for (std::size_t k = 0; k < spent.size(); ++k) effects_[k].seconds = spent[k].seconds;
+  for (std::size_t k = 0; k < spent.size(); ++k) effects_[k].usage = spent[k].usage;
   const double finer = state_.spacing / state_.start_spacing;
   if (!state_.scene.numerics.time_step) step_control_.plan(planned_step_ * finer);
 }
@@ -84,10 +82,13 @@ bool Simulation::finished() const {
 void Simulation::run_stage(effects::Stage stage) {
   for (Running& running : effects_) {
     if (running.kind->stage != stage) continue;
-    if (running.kind->awake && !running.kind->awake(state_)) continue;
+    ++running.usage.rounds;
     const auto start = Clock::now();
-    running.effect->apply(state_);
-    running.seconds += seconds_since(start);
+    if (running.effect->awake(state_)) {
+      ++running.usage.awake;
+      running.effect->apply(state_);
+    }
+    running.usage.seconds += seconds_since(start);
   }
 }
 
@@ -201,13 +202,13 @@ bool Simulation::cell_at_inlet() const {
 
 std::vector<Simulation::Cost> Simulation::costs() const {
   std::vector<Cost> costs;
-  for (const Running& running : effects_) costs.push_back({running.kind, running.seconds});
+  for (const Running& running : effects_) costs.push_back({running.kind, running.usage});
   return costs;
 }
 
 void Simulation::save(ByteWriter& bytes) {
   bytes(state_.spacing, refinements_, state_, step_control_);
-  for (Running& running : effects_) bytes(running.seconds);
+  for (Running& running : effects_) bytes(running.usage);
 }
 
 void Simulation::restore(ByteReader& bytes) {
@@ -218,7 +219,7 @@ void Simulation::restore(ByteReader& bytes) {
     remake(effects::State(state_.scene, state_.scales, spacing, state_.start_spacing));
   const std::size_t lanes = state_.lanes.size();
   bytes(state_, step_control_);
-  for (Running& running : effects_) bytes(running.seconds);
+  for (Running& running : effects_) bytes(running.usage);
   check_lasting(state_, lanes);
   run_stage(effects::Stage::operators);
 }

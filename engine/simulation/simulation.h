@@ -4,14 +4,21 @@
 #include <memory>
 #include <vector>
 
+#include "engine/bytes/byte_stream.h"
 #include "engine/effects/effect.h"
+#include "engine/observe/refinement_record.h"
 #include "engine/plan/plan.h"
-#include "engine/simulation/byte_stream.h"
-#include "engine/simulation/refinement_record.h"
 #include "engine/simulation/snapshot.h"
 #include "engine/simulation/step_control.h"
 
 namespace rouleau {
+
+/// What an effect or an observer took so far.
+struct Usage {
+  double seconds = 0;  ///< of wall time
+  long rounds = 0;     ///< how often its turn came
+  long awake = 0;      ///< in how many of them it ran
+};
 
 /// A planned scene and its state, advanced step by step. Knows no output and no clock but the one that
 /// measures what each effect costs.
@@ -47,9 +54,9 @@ class Simulation {
 
   struct Cost {
     const effects::EffectKind* kind;
-    double seconds = 0;
+    Usage usage;
   };
-  /// Wall time spent in each effect so far, in the order in which they run.
+  /// What each effect took so far, in the order in which they run.
   std::vector<Cost> costs() const;
 
   /// All that `restore` needs to go on from here as if the run had never stopped.
@@ -61,7 +68,7 @@ class Simulation {
   struct Running {
     const effects::EffectKind* kind;
     std::unique_ptr<effects::Effect> effect;
-    double seconds = 0;
+    Usage usage;
   };
 
   void make_effects();

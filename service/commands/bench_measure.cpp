@@ -50,7 +50,7 @@ BenchPoint bench(const std::string& preset, int particles, int steps) {
   const auto after = simulation.costs();
   double rest = point.seconds;
   for (std::size_t k = 0; k < after.size(); ++k) {
-    const double seconds = after[k].seconds - before[k].seconds;
+    const double seconds = after[k].usage.seconds - before[k].usage.seconds;
     point.effects.push_back({std::string(after[k].kind->name), seconds});
     rest -= seconds;
   }

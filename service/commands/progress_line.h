@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 
 namespace rouleau::service {
 

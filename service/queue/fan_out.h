@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 
 namespace rouleau::service {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "storage/archive_reader.h"
 
 namespace rouleau::service {

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 
 namespace rouleau::service {
 

@@ -4,7 +4,7 @@
 
 #include <hdf5.h>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "engine/simulation/run.h"
 
 namespace rouleau::storage {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "storage/hdf5/growing_array.h"
 
 namespace rouleau::storage {

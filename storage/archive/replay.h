@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "engine/observe/output.h"
 #include "engine/simulation/checkpoint.h"
+#include "engine/simulation/output.h"
 
 namespace rouleau::storage {
 

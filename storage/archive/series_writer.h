@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "storage/hdf5/growing_array.h"
 
 namespace rouleau::storage {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "storage/archive/particle_slots.h"
 #include "storage/hdf5/growing_array.h"
 

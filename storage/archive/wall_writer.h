@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "storage/hdf5/growing_array.h"
 
 namespace rouleau::storage {

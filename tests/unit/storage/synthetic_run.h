@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/observe/output.h"
+#include "engine/simulation/output.h"
 #include "engine/simulation/run.h"
 
 namespace rouleau::storage {

@@ -61,7 +61,7 @@ TEST(CaseReader, ReadsEveryKey) {
     "thrombi": [{"wall": "upper", "x": 5e-5, "radius": 4e-6}],
     "cells": [{"x": 2e-5, "y": 8e-6, "diameter": 7e-6, "fill": 0.6, "angle": -30, "stretch_modulus": 2e-5,
                "bend_modulus": 1e-18, "viscosity_ratio": 1, "shape": "circle"}],
-    "effects": {"bending": "off", "contact": "auto", "x1_y": "on"},
+    "effects": {"bending": "off", "contact": "auto", "x1_y": "on", "z": {"depth": 1e-7, "at_2": -3}},
     "numerics": {"preset": "draft", "spacing": 6e-7, "time_step": 1e-6, "kernel_radius": 2.6,
                  "viscosity": "implicit", "pressure_tolerance": 1e-3, "threads": 1},
     "output": {"series_interval": 0, "frame_interval": 1e-5, "fields": ["wall_shear_stress"]},
@@ -80,6 +80,7 @@ TEST(CaseReader, ReadsEveryKey) {
   EXPECT_EQ(read.effects.at("bending"), Switch::off);
   EXPECT_EQ(read.effects.at("contact"), Switch::automatic);
   EXPECT_EQ(read.effects.at("x1_y"), Switch::on);
+  EXPECT_EQ(read.effects.at("z"), (EffectWish{Switch::on, {{"depth", 1e-7}, {"at_2", -3}}}));
   EXPECT_EQ(read.numerics.preset, Preset::draft);
   EXPECT_EQ(read.numerics.spacing, 6e-7);
   EXPECT_EQ(read.numerics.time_step, 1e-6);

@@ -193,7 +193,8 @@ TEST(CaseSchema, AgreesOnTextsListsAndSwitches) {
     expect_agreement(with(full, std::string("/") + list, json(65, full[list][0])));
   }
   for (const json& position :
-       {json("on"), json("off"), json("auto"), json("ON"), json(true), json(nullptr)}) {
+       {json("on"), json("off"), json("auto"), json("ON"), json(true), json(nullptr), json::object(),
+        json{{"depth", 1e-7}}, json{{"Depth", 1}}, json{{"depth", "1"}}, json{{"depth", nullptr}}}) {
     expect_agreement(with(full, "/effects/bending", position));
   }
   for (const json& step : {json("auto"), json(1e-6), json("Auto"), json(0), json(-1), json(nullptr)}) {

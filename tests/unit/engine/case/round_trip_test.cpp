@@ -205,7 +205,8 @@ TEST(RoundTrip, EveryChoiceOfTheTableIsKept) {
     });
   }
   EXPECT_GE(tried, 20);
-  for (const char* position : {"auto", "on", "off"}) {
+  for (const json& position :
+       {json("auto"), json("on"), json("off"), json{{"depth", 1e-7}, {"range", 2.0}}}) {
     const json resolved = to_json(read_case(with(minimal_case(), "/effects/bending", position)));
     EXPECT_EQ(resolved.at("effects").at("bending"), position);
   }

@@ -64,9 +64,12 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   lid.vessel.shape = Shape::box;
   lid.vessel.ends = Ends::closed;
   lid.vessel.wall_velocity.upper = 1;
+  Case pulsing = coarse_vessel();
+  pulsing.inflow.waveform = {{0, 1}, {1e-3, 2}};
   for (const EffectKind* kind : catalogue()) {
     bool used = false;
-    for (const Case& scene : {coarse_vessel_with_cells(), published, deflating, driven, viscous, lid}) {
+    for (const Case& scene :
+         {coarse_vessel_with_cells(), published, deflating, driven, viscous, lid, pulsing}) {
       const Need need = kind->need(scene);
       used = used || need.called_for || need.on_request;
     }

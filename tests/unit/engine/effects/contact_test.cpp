@@ -33,11 +33,30 @@ double most(const std::vector<double>& values, const CellState& cell) {
 
 TEST(Contact, SleepsWhereNothingIsNear) {
   State state = prepared_state(coarse_vessel_with_cells(2));
-  contact.make(state)->apply(state);
+  const auto effect = contact.make(state);
+  EXPECT_FALSE(effect->awake(state));
+  effect->apply(state);
   EXPECT_EQ(state.counters.contact_steps, 0);
   EXPECT_TRUE(state.load.stiffness.empty());
   EXPECT_EQ(sum(state.load.fx), 0);
   EXPECT_EQ(sum(state.load.fy), 0);
+}
+
+TEST(Contact, IsAwakeBeforeAnythingCanTouch) {
+  State state = prepared_state(coarse_vessel_with_cells());
+  const CellState& cell = state.cells[0];
+  const auto effect = contact.make(state);
+  bool slept = false;
+  while (least(state.particles.y, cell) > 0.1 * state.spacing) {
+    const bool awake = effect->awake(state);
+    slept = slept || !awake;
+    std::fill(state.load.fy.begin(), state.load.fy.end(), 0.0);
+    contact.make(state)->apply(state);
+    EXPECT_TRUE(awake || sum(state.load.fy) == 0);
+    move(state, cell, 0, -0.05 * state.spacing);
+  }
+  EXPECT_TRUE(slept);
+  EXPECT_GT(state.counters.contact_steps, 0);
 }
 
 TEST(Contact, PushesOffAWallByTheDistanceFromIt) {

@@ -38,7 +38,7 @@ std::vector<ProbeValues> in_poiseuille_flow(const Case& scene) {
     particles.u[i] = in_fluid ? axial(y) / state.scales.velocity : 0;
     particles.p[i] = in_fluid ? pressure(x) / state.scales.pressure() : 1e6;
   }
-  return Probes(state).sample(state);
+  return Probes(state).values(state);
 }
 
 TEST(Probes, SeeVelocityAndPressureAlongALine) {
@@ -89,7 +89,7 @@ TEST(Probes, OutsideTheFluidThereIsNothing) {
   scene.vessel.length = 20e-6;
   scene.thrombi.push_back({Wall::lower, 10e-6, 3e-6});
   const effects::State state = effects::prepared_state(scene);
-  const auto seen = Probes(state).sample(state);
+  const auto seen = Probes(state).values(state);
   for (std::size_t k = 0; k < 13; ++k) {
     for (const auto* field : {&seen[0].u, &seen[0].v, &seen[0].p}) {
       EXPECT_EQ(std::isfinite((*field)[k]), k >= 5) << "point " << k << ", the crest is the fifth";
@@ -106,7 +106,7 @@ TEST(Probes, TheFluxLeavesOutWhatIsOutsideTheFluid) {
   scene.thrombi.push_back({Wall::lower, 10e-6, 3e-6});
   effects::State state = effects::prepared_state(scene);
   for (double& u : state.particles.u) u = 1;
-  EXPECT_NEAR(Probes(state).sample(state)[0].flux, mean * 7e-6, 1e-6 * mean * diameter);
+  EXPECT_NEAR(Probes(state).values(state)[0].flux, mean * 7e-6, 1e-6 * mean * diameter);
 }
 
 TEST(Probes, AreSampledWithEachRowOfTheSeries) {

@@ -26,7 +26,7 @@ TEST(Tally, SumsWhatFlowsThrough) {
   Tally tally(state);
   set_flow(state, 1);
   state.dt = 0.25;
-  for (int k = 0; k < 4; ++k) tally.add(state);
+  for (int k = 0; k < 4; ++k) tally.follow(state);
   const RunSummary summary = after(tally);
   EXPECT_NEAR(summary.volume_in, 10e-6 * 10e-6, 1e-9 * 1e-10);
   EXPECT_NEAR(summary.volume_out, 10e-6 * 10e-6, 1e-9 * 1e-10);
@@ -42,8 +42,8 @@ TEST(Tally, TakesTheMismatchOverWhatPassedEitherWay) {
   effects::State back = forth;
   set_flow(back, -1);
   Tally even(forth);
-  even.add(forth);
-  even.add(back);
+  even.follow(forth);
+  even.follow(back);
   EXPECT_NEAR(after(even).volume_in, 0, 1e-9 * 1e-10);
   EXPECT_NEAR(after(even).volume_mismatch, 0, 1e-9);
 
@@ -52,8 +52,8 @@ TEST(Tally, TakesTheMismatchOverWhatPassedEitherWay) {
     if (back.particles.x[i] > 1.5) back.particles.u[i] = 0;
   }
   Tally uneven(forth);
-  uneven.add(forth);
-  uneven.add(back);
+  uneven.follow(forth);
+  uneven.follow(back);
   EXPECT_NEAR(after(uneven).volume_mismatch, 0.5, 1e-9);
 }
 
@@ -63,7 +63,7 @@ TEST(Tally, ComparesWithAParabolaOnlyWhereOneIsExpected) {
     Tally tally(state);
     set_flow(state, 1);
     state.time = scene.duration / state.scales.time();
-    tally.add(state);
+    tally.follow(state);
     return after(tally).poiseuille_deviation;
   };
   EXPECT_NEAR(deviation_of(coarse_vessel()), 0, 1e-9);
@@ -85,7 +85,7 @@ TEST(Tally, HasNoVolumesWithoutOpenings) {
   effects::State state = effects::prepared_state(scene);
   Tally tally(state);
   set_flow(state, 1);
-  tally.add(state);
+  tally.follow(state);
   EXPECT_EQ(after(tally).volume_in, 0);
   EXPECT_EQ(after(tally).volume_out, 0);
   EXPECT_EQ(after(tally).volume_mismatch, 0);

@@ -122,12 +122,6 @@ TEST(WallShear, NodesGoFromTheInletToTheOutletWallByWall) {
   EXPECT_NEAR(upper_end, 20e-6 + (std::numbers::pi - 2) * 2e-6 - 0.5e-6, 1e-12);
 }
 
-TEST(WallShear, IsThereOnlyWhereItIsAskedFor) {
-  const Sampled found = sampled(coarse_vessel(), poiseuille);
-  EXPECT_TRUE(found.nodes.x.empty());
-  EXPECT_TRUE(found.stress.empty());
-}
-
 TEST(WallShear, ComesWithEveryFrame) {
   Case scene = with_stress(coarse_vessel());
   Recorder recorder;

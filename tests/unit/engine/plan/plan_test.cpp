@@ -12,6 +12,7 @@
 #include "engine/case/case_json.h"
 #include "engine/case/presets.h"
 #include "engine/effects/effect.h"
+#include "engine/observe/observer.h"
 #include "engine/simulation/simulation.h"
 #include "tests/unit/engine/simulation/scenes.h"
 
@@ -40,11 +41,16 @@ std::set<std::string> pointers_of_faults(const Case& scene) {
 TEST(Plan, ListsEveryEffectOfTheCatalogueInItsOrder) {
   const Plan plan = make_plan(coarse_vessel());
   const auto& kinds = effects::catalogue();
-  ASSERT_EQ(plan.effects.size(), kinds.size());
+  const auto& observers = observe::catalogue();
+  ASSERT_EQ(plan.effects.size(), kinds.size() + observers.size());
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     EXPECT_EQ(plan.effects[k].name, kinds[k]->name);
     EXPECT_EQ(plan.effects[k].stage, name_of(kinds[k]->stage));
     EXPECT_FALSE(plan.effects[k].reason.empty());
+  }
+  for (std::size_t k = 0; k < observers.size(); ++k) {
+    EXPECT_EQ(plan.effects[kinds.size() + k].name, observers[k]->name);
+    EXPECT_EQ(plan.effects[kinds.size() + k].stage, "observers");
   }
 }
 
@@ -69,6 +75,15 @@ TEST(Plan, AllFaultsAreReportedAtOnce) {
                    {"watch", Switch::on},     {"warp", Switch::automatic}};
   EXPECT_EQ(pointers_of_faults(scene), (std::set<std::string>{"/effects/bending", "/effects/bendng",
                                                               "/effects/inflow", "/effects/warp"}));
+}
+
+TEST(Plan, ParametersAreOfEffectsThatHaveThem) {
+  Case scene = coarse_vessel_with_cells();
+  scene.effects["bending"] = {Switch::on, {{"stiffness", 1}}};
+  scene.effects["frames"] = {Switch::on, {{"size", 1}, {"count", 2}}};
+  EXPECT_EQ(
+      pointers_of_faults(scene),
+      (std::set<std::string>{"/effects/bending/stiffness", "/effects/frames/size", "/effects/frames/count"}));
 }
 
 TEST(Plan, WhatASceneNeedsCannotBeLeftOut) {

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "engine/plan/plan.h"
+#include "engine/case/case.h"
 
 namespace rouleau {
 
@@ -28,9 +26,16 @@ struct Frame {
   std::vector<std::int32_t> cell;  ///< cell it belongs to, -1 for plasma
   std::vector<float> x, y;         ///< m
   // Each of these is empty unless `output.fields` names it.
-  std::vector<float> u, v;               ///< m/s
-  std::vector<float> p;                  ///< Pa
-  std::vector<float> wall_shear_stress;  ///< [wall nodes of the header] Pa
+  std::vector<float> u, v;                          ///< m/s
+  std::vector<float> p;                             ///< Pa
+  std::vector<float> wall_shear_stress;             ///< [wall nodes of the header] Pa
+  std::vector<std::vector<float>> membrane_fields;  ///< [fields of the header][membrane nodes]
+};
+
+/// A field that frames carry on the membrane nodes: its name and its SI unit.
+struct MembraneField {
+  std::string name;
+  std::string unit;
 };
 
 /// Where the stress on the walls is sampled: wall by wall, along each in the direction of +x, and of +y where
@@ -58,51 +63,21 @@ struct ProbeValues {
   double flux = 0;
 };
 
-/// Whether frames of this case carry a field.
-bool carries(const Case& scene, Field field);
-
-/// What is known when a run starts.
-struct RunHeader {
-  Case resolved;
-  Plan plan;
+/// What a run records, known when it starts.
+struct Recorded {
   std::vector<Column> columns;  ///< of the series
   std::vector<ProbeLine> probes;
-  WallNodes walls;                  ///< none unless frames carry the stress on them
-  std::vector<int> nodes_per_cell;  ///< membrane nodes of each cell
-  int capacity = 0;                 ///< no frame holds more particles than this
+  WallNodes walls;                             ///< none unless frames carry the stress on them
+  std::vector<MembraneField> membrane_fields;  ///< none unless the case asks for them
 };
 
-struct Progress {
-  double simulated_time = 0;  ///< s
-  double duration = 0;        ///< s
-  double fraction = 0;
-  long steps = 0;
-  double steps_per_second = 0;
-  double eta_s = 0;  ///< wall time left, s
+/// A row of the series with what the probes see at that time.
+struct Row {
+  std::vector<double> values;       ///< one a column, SI
+  std::vector<ProbeValues> probes;  ///< one a probe
 };
 
-/// All from which a run can go on as if it had never stopped, between two steps. The bytes are the engine's
-/// own: `head_of` (engine/simulation/checkpoint.h) says what they belong to.
-struct Checkpoint {
-  std::vector<std::byte> bytes;
-};
-
-/// Where a run delivers what it computes. The run calls these in order, from the thread that runs it;
-/// none of them can change the run.
-class Output {
- public:
-  virtual ~Output() = default;
-  virtual void begin(const RunHeader&) {}
-  /// One value a column of the header.
-  virtual void series_row(std::span<const double>) {}
-  /// With each row of the series: its time in s, and one entry a probe of the header. Not called where there
-  /// are no probes.
-  virtual void probe_row(double, std::span<const ProbeValues>) {}
-  virtual void frame(const Frame&) {}
-  /// Several times a second at most.
-  virtual void progress(const Progress&) {}
-  /// All that was delivered until now is before it. Not called unless the run was asked for checkpoints.
-  virtual void checkpoint(const Checkpoint&) {}
-};
+/// Whether frames of this case carry a field.
+bool carries(const Case& scene, Field field);
 
 }  // namespace rouleau

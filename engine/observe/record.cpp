@@ -1,4 +1,4 @@
-#include "engine/observe/output.h"
+#include "engine/observe/record.h"
 
 #include <algorithm>
 
