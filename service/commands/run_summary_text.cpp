@@ -1,8 +1,6 @@
 #include "service/commands/run_summary_text.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -94,20 +92,35 @@ std::string describe_watched(const nlohmann::json& summary) {
   return text;
 }
 
-std::string describe_effect_times(const nlohmann::json& times) {
-  std::vector<std::pair<double, std::string>> parts;
+/// The share of its turns in which an effect was awake, where it slept in some.
+std::string describe_sleep(const nlohmann::json& effect) {
+  const double rounds = number(effect, "rounds"), awake = number(effect, "awake");
+  return awake < rounds ? fmt::format("  awake {:.3g} % of the time", 100 * awake / rounds) : "";
+}
+
+std::string describe_effect_times(nlohmann::json times) {
+  std::sort(times.begin(), times.end(), [](const nlohmann::json& a, const nlohmann::json& b) {
+    return number(a, "seconds") > number(b, "seconds");
+  });
   double total = 0;
-  for (const auto& part : times) {
-    parts.emplace_back(number(part, "seconds"), part.value("name", ""));
-    total += parts.back().first;
-  }
-  std::sort(parts.rbegin(), parts.rend());
+  for (const auto& effect : times) total += number(effect, "seconds");
   std::string text;
-  for (const auto& [seconds, name] : parts) {
-    text +=
-        fmt::format("  {:28} {:8.2f} s {:5.1f} %\n", name, seconds, total > 0 ? 100 * seconds / total : 0.0);
+  for (const auto& effect : times) {
+    const double seconds = number(effect, "seconds");
+    text += fmt::format("  {:28} {:8.2f} s {:5.1f} %{}\n", effect.value("name", ""), seconds,
+                        total > 0 ? 100 * seconds / total : 0.0, describe_sleep(effect));
   }
   return text.empty() ? text : "time per effect:\n" + text;
+}
+
+/// What observers that the case asked for found out.
+std::string describe_findings(const nlohmann::json& findings) {
+  std::string text;
+  for (const auto& [name, finding] : findings.items()) {
+    const std::string unit = finding.value("unit", "1");
+    text += fmt::format("{}: {:.4g}{}\n", name, number(finding, "value"), unit == "1" ? "" : " " + unit);
+  }
+  return text;
 }
 
 std::string describe_refinements(const nlohmann::json& refinements) {
@@ -148,6 +161,9 @@ std::string describe_summary(const nlohmann::json& summary) {
   text += describe_step_limits(summary);
   text += describe_watched(summary);
   text += fmt::format("peak fluid speed {:.4g} mm/s\n", 1e3 * number(summary, "peak_fluid_speed"));
+  if (const auto findings = summary.find("findings"); findings != summary.end()) {
+    text += describe_findings(*findings);
+  }
   if (const auto times = summary.find("effect_times"); times != summary.end())
     text += describe_effect_times(*times);
   return text;
