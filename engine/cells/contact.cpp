@@ -102,38 +102,4 @@ void append_disc_contacts(const LinkBoxes& boxes, int first, std::array<double, 
   }
 }
 
-double contact_energy(std::span<const Contact> contacts, const ContactLaw& law) {
-  double sum = 0;
-  for (const Contact& contact : contacts) sum += contact.weight * law.energy(contact.gap);
-  return sum;
-}
-
-void add_contact_forces(std::span<const Contact> contacts, const ContactLaw& law, std::span<double> fx,
-                        std::span<double> fy) {
-  for (const Contact& contact : contacts) {
-    const double force = contact.weight * law.force(contact.gap);
-    const auto push = [&](int node, double share) {
-      fx[node] += share * force * contact.nx;
-      fy[node] += share * force * contact.ny;
-    };
-    if (contact.point >= 0) push(contact.point, 1);
-    push(contact.link[0], -(1 - contact.s));
-    push(contact.link[1], -contact.s);
-  }
-}
-
-void append_contact_stiffness(std::span<const Contact> contacts, const ContactLaw& law,
-                              std::vector<Stiffness>& terms) {
-  for (const Contact& contact : contacts) {
-    const double slope = contact.weight * law.slope(contact.gap);
-    if (slope <= 0) continue;
-    const auto [from, to] = contact.link;
-    const double point = contact.point >= 0 ? 1 : 0, near = -(1 - contact.s), far = -contact.s;
-    const double nx = contact.nx, ny = contact.ny;
-    terms.push_back({{contact.point >= 0 ? contact.point : from, from, to},
-                     {point * nx, point * ny, near * nx, near * ny, far * nx, far * ny},
-                     slope});
-  }
-}
-
 }  // namespace rouleau::cells

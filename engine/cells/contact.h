@@ -49,15 +49,45 @@ void append_contacts(const LinkBoxes& a, int first_a, const LinkBoxes& b, int fi
 void append_disc_contacts(const LinkBoxes& ring, int first, std::array<double, 2> centre, double radius,
                           double range, std::vector<Contact>& contacts);
 
-double contact_energy(std::span<const Contact> contacts, const ContactLaw& law);
+/// Of a law that has energy(gap), force(gap) and slope(gap), as `ContactLaw` does.
+template <class Law>
+double contact_energy(std::span<const Contact> contacts, const Law& law) {
+  double sum = 0;
+  for (const Contact& contact : contacts) sum += contact.weight * law.energy(contact.gap);
+  return sum;
+}
 
 /// Adds minus the gradient of the energy: along the normal, shared (1 - s, s) between the link's nodes, so
 /// that two membranes give each other no net force and no net torque.
-void add_contact_forces(std::span<const Contact> contacts, const ContactLaw& law, std::span<double> fx,
-                        std::span<double> fy);
+template <class Law>
+void add_contact_forces(std::span<const Contact> contacts, const Law& law, std::span<double> fx,
+                        std::span<double> fy) {
+  for (const Contact& contact : contacts) {
+    const double force = contact.weight * law.force(contact.gap);
+    const auto push = [&](int node, double share) {
+      fx[node] += share * force * contact.nx;
+      fy[node] += share * force * contact.ny;
+    };
+    if (contact.point >= 0) push(contact.point, 1);
+    push(contact.link[0], -(1 - contact.s));
+    push(contact.link[1], -contact.s);
+  }
+}
 
-/// Appends one term for each contact of positive weight: the slope of its force, along its normal.
-void append_contact_stiffness(std::span<const Contact> contacts, const ContactLaw& law,
-                              std::vector<Stiffness>& terms);
+/// Appends one term for each contact whose weighted slope is positive: that slope, along its normal.
+template <class Law>
+void append_contact_stiffness(std::span<const Contact> contacts, const Law& law,
+                              std::vector<Stiffness>& terms) {
+  for (const Contact& contact : contacts) {
+    const double slope = contact.weight * law.slope(contact.gap);
+    if (slope <= 0) continue;
+    const auto [from, to] = contact.link;
+    const double point = contact.point >= 0 ? 1 : 0, near = -(1 - contact.s), far = -contact.s;
+    const double nx = contact.nx, ny = contact.ny;
+    terms.push_back({{contact.point >= 0 ? contact.point : from, from, to},
+                     {point * nx, point * ny, near * nx, near * ny, far * nx, far * ny},
+                     slope});
+  }
+}
 
 }  // namespace rouleau::cells

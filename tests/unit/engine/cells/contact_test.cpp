@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/engine/cells/random_ring.h"
+#include "tests/unit/engine/cells/ring_pair.h"
 
 namespace rouleau::cells {
 namespace {
@@ -14,25 +14,14 @@ using std::numbers::pi;
 
 constexpr ContactLaw law{2.0, 0.3};
 
-/// Two rings as one array of nodes, the first `split` of which are the first ring's.
-struct Pair {
-  Nodes nodes;
-  std::size_t split = 0;
-
-  Ring first() const { return {{nodes.x.data(), split}, {nodes.y.data(), split}}; }
-  Ring second() const {
-    return {{nodes.x.data() + split, nodes.x.size() - split},
-            {nodes.y.data() + split, nodes.y.size() - split}};
-  }
-  std::vector<Contact> contacts(double range = law.range) const {
-    const LinkBoxes a(first()), b(second());
-    const int offset = static_cast<int>(split);
-    std::vector<Contact> found;
-    append_contacts(a, 0, b, offset, range, -1, found);
-    append_contacts(b, offset, a, 0, range, -1, found);
-    return found;
-  }
-};
+std::vector<Contact> contacts_of(const RingPair& pair, double range = law.range) {
+  const LinkBoxes a(pair.first()), b(pair.second());
+  const auto offset = static_cast<int>(pair.split);
+  std::vector<Contact> found;
+  append_contacts(a, 0, b, offset, range, -1, found);
+  append_contacts(b, offset, a, 0, range, -1, found);
+  return found;
+}
 
 Nodes forces(const std::vector<Contact>& contacts, std::size_t nodes) {
   Nodes force{std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 0.0)};
@@ -40,24 +29,10 @@ Nodes forces(const std::vector<Contact>& contacts, std::size_t nodes) {
   return force;
 }
 
-/// Two ragged rings, the second one to the right of the first by about `gap`.
-Pair neighbours(std::uint32_t seed, double gap) {
-  const Nodes left = random_ring(seed), right = random_ring(seed + 1000);
-  const auto far_right = std::ranges::max_element(left.x), far_left = std::ranges::min_element(right.x);
-  const double dx = *far_right + gap - *far_left;
-  const double dy = left.y[far_right - left.x.begin()] - right.y[far_left - right.x.begin()];
-  Pair pair{left, left.x.size()};
-  for (std::size_t i = 0; i < right.x.size(); ++i) {
-    pair.nodes.x.push_back(right.x[i] + dx);
-    pair.nodes.y.push_back(right.y[i] + dy);
-  }
-  return pair;
-}
-
 TEST(Contact, ForcesAreMinusTheGradientOfTheEnergy) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
-    Pair pair = neighbours(seed, 0.02 + 0.001 * seed);
-    const Nodes force = forces(pair.contacts(), pair.nodes.x.size());
+    RingPair pair = neighbours(seed, 0.02 + 0.001 * seed);
+    const Nodes force = forces(contacts_of(pair), pair.nodes.x.size());
     double scale = 0;
     for (std::size_t i = 0; i < force.x.size(); ++i) {
       scale = std::max(scale, std::hypot(force.x[i], force.y[i]));
@@ -66,9 +41,9 @@ TEST(Contact, ForcesAreMinusTheGradientOfTheEnergy) {
     const auto slope = [&](double& coordinate) {
       const double step = 1e-7, middle = coordinate;
       coordinate = middle + step;
-      const double above = contact_energy(pair.contacts(), law);
+      const double above = contact_energy(contacts_of(pair), law);
       coordinate = middle - step;
-      const double below = contact_energy(pair.contacts(), law);
+      const double below = contact_energy(contacts_of(pair), law);
       coordinate = middle;
       return (above - below) / (2.0 * step);
     };
@@ -81,8 +56,8 @@ TEST(Contact, ForcesAreMinusTheGradientOfTheEnergy) {
 
 TEST(Contact, WhatOneMembraneGivesTheOtherReceives) {
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
-    const Pair pair = neighbours(seed, 0.1);
-    const Nodes force = forces(pair.contacts(), pair.nodes.x.size());
+    const RingPair pair = neighbours(seed, 0.1);
+    const Nodes force = forces(contacts_of(pair), pair.nodes.x.size());
     double fx[2] = {}, fy[2] = {}, torque[2] = {}, scale = 0;
     for (std::size_t i = 0; i < force.x.size(); ++i) {
       const int ring = i < pair.split ? 0 : 1;
@@ -100,8 +75,8 @@ TEST(Contact, WhatOneMembraneGivesTheOtherReceives) {
 
 TEST(Contact, IsNothingBeyondTheRange) {
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
-    EXPECT_TRUE(neighbours(seed, law.range * 1.001).contacts().empty());
-    EXPECT_FALSE(neighbours(seed, law.range * 0.999).contacts().empty());
+    EXPECT_TRUE(contacts_of(neighbours(seed, law.range * 1.001)).empty());
+    EXPECT_FALSE(contacts_of(neighbours(seed, law.range * 0.999)).empty());
   }
 }
 
@@ -109,14 +84,14 @@ TEST(Contact, IsNothingBeyondTheRange) {
 /// change that does not shrink with the step.
 TEST(Contact, ForcesAreContinuousAsOneMembraneSlidesPastTheOther) {
   for (std::uint32_t seed = 0; seed < 5; ++seed) {
-    Pair pair = neighbours(seed, 0.1);
+    RingPair pair = neighbours(seed, 0.1);
     const auto largest_change = [&](int steps) {
-      Pair moving = pair;
-      Nodes last = forces(moving.contacts(), moving.nodes.x.size());
+      RingPair moving = pair;
+      Nodes last = forces(contacts_of(moving), moving.nodes.x.size());
       double largest = 0;
       for (int k = 0; k < steps; ++k) {
         for (std::size_t i = moving.split; i < moving.nodes.x.size(); ++i) moving.nodes.y[i] += 0.5 / steps;
-        const Nodes now = forces(moving.contacts(), moving.nodes.x.size());
+        const Nodes now = forces(contacts_of(moving), moving.nodes.x.size());
         for (std::size_t i = 0; i < now.x.size(); ++i) {
           largest = std::max(largest, std::hypot(now.x[i] - last.x[i], now.y[i] - last.y[i]));
         }
@@ -128,32 +103,12 @@ TEST(Contact, ForcesAreContinuousAsOneMembraneSlidesPastTheOther) {
   }
 }
 
-/// A horizontal band: `n` links of length 0.5 below, and back above.
-Nodes band(double y, int n) {
-  Nodes nodes;
-  for (int i = 0; i <= n; ++i) {
-    nodes.x.push_back(0.5 * i);
-    nodes.y.push_back(y);
-  }
-  for (int i = n; i >= 0; --i) {
-    nodes.x.push_back(0.5 * i);
-    nodes.y.push_back(y + 2);
-  }
-  return nodes;
-}
-
 /// What it would be from node to node depends on where the nodes are.
 TEST(Contact, OfStraightMembranesIsThatOfTheirDistance) {
   const double gap = 0.12;
   for (const double shift : {0.0, 0.1, 0.25, 0.4}) {
-    Pair pair{band(0, 20), 0};
-    pair.split = pair.nodes.x.size();
-    const Nodes upper = band(2 + gap, 10);
-    for (std::size_t i = 0; i < upper.x.size(); ++i) {
-      pair.nodes.x.push_back(upper.x[i] + 2 + shift);
-      pair.nodes.y.push_back(upper.y[i]);
-    }
-    const Nodes force = forces(pair.contacts(), pair.nodes.x.size());
+    const RingPair pair(band(0, 20), band(2 + gap, 10), 2 + shift, 0);
+    const Nodes force = forces(contacts_of(pair), pair.nodes.x.size());
     double lift = 0, drag = 0;
     for (std::size_t i = pair.split; i < force.x.size(); ++i) {
       lift += force.y[i];
@@ -167,8 +122,8 @@ TEST(Contact, OfStraightMembranesIsThatOfTheirDistance) {
 }
 
 TEST(Contact, StiffnessIsTheSlopeOfTheForceAlongTheNormal) {
-  const Pair pair = neighbours(3, 0.1);
-  const auto contacts = pair.contacts();
+  const RingPair pair = neighbours(3, 0.1);
+  const auto contacts = contacts_of(pair);
   std::vector<Stiffness> terms;
   append_contact_stiffness(contacts, law, terms);
   ASSERT_FALSE(terms.empty());
