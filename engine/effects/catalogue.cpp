@@ -15,9 +15,11 @@
 #include "engine/effects/exact_projection.h"
 #include "engine/effects/fading.h"
 #include "engine/effects/gradient_from_least_pressure.h"
+#include "engine/effects/inextensible.h"
 #include "engine/effects/inflow.h"
 #include "engine/effects/inflow_flux.h"
 #include "engine/effects/least_squares.h"
+#include "engine/effects/length_control.h"
 #include "engine/effects/membrane_clearance.h"
 #include "engine/effects/membrane_coupling.h"
 #include "engine/effects/membrane_sides.h"
@@ -51,6 +53,7 @@ const std::vector<const EffectKind*>& catalogue() {
   static const std::vector<const EffectKind*> kinds = {
       &advection,
       &area_control,
+      &length_control,
       &shifting,
       &membrane_clearance,
       &transport,
@@ -69,6 +72,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &body_force,
       &corner_flow,
       &stretch,
+      &inextensible,
       &bending,
       &printed_bending,
       &contact,

@@ -7,6 +7,7 @@
 
 #include "engine/case/case.h"
 #include "engine/case/scales.h"
+#include "engine/cells/inextensible.h"
 #include "engine/cells/material.h"
 #include "engine/cells/ring.h"
 #include "engine/cells/stiffness.h"
@@ -44,6 +45,7 @@ struct CellState {
   double area_rate = 0;                  ///< divergence inside by which its area changes as it is to
   double presence = 1;                   ///< by how much its membrane is felt; sinks to 0 before an outlet
   std::optional<Departure> departure{};  ///< once it has left
+  cells::HeldLinks held{};               ///< of an inextensible membrane
 };
 
 /// A force that is taken at the end of the step, so that a stiff membrane does not shrink the step.

@@ -59,6 +59,11 @@ void check_membranes(const effects::State& state) {
     require(
         cell.start_nodes >= 3 && cell.first_id >= 0 && cell.start_nodes < 100000 && all_finite(rest_lengths),
         "a membrane has not begun as one");
+    const auto& [held, tension] = cell.held;
+    require(held.size() == tension.size() &&
+                (cell.departure || held.empty() || held.size() == static_cast<std::size_t>(cell.nodes)),
+            "a membrane's held links differ in number from its nodes");
+    require(all_finite(held) && all_finite(tension), "it holds a value that is no number");
     for (; node < end; ++node) {
       require(set.group[node] == Group::membrane && set.cell[node] == static_cast<std::int32_t>(c),
               "a membrane is incomplete");

@@ -43,6 +43,12 @@ void visit(Stream& stream, Material& material) {
   stream(stretch_modulus, bend_modulus, rest_length, crush_stiffening, rest_lengths);
 }
 
+template <class Stream>
+void visit(Stream& stream, HeldLinks& held) {
+  auto& [length, tension] = held;
+  stream(length, tension);
+}
+
 }  // namespace cells
 
 namespace effects {
@@ -57,10 +63,10 @@ template <class Stream>
 void visit(Stream& stream, CellState& cell) {
   auto& [first_node, nodes, material, start_nodes, first_id, start_area, start_inertia_nodes,
          start_inertia_area, start_perimeter, start_phase, circle_area, circle_particles, area_rate, presence,
-         departure] = cell;
+         departure, held] = cell;
   stream(first_node, nodes, material, start_nodes, first_id, start_area, start_inertia_nodes,
          start_inertia_area, start_perimeter, start_phase, circle_area, circle_particles, area_rate, presence,
-         departure);
+         departure, held);
 }
 
 template <class Stream>

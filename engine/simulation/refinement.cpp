@@ -50,6 +50,7 @@ void transfer_cell(const ParticleSet& old, const CellState& cell, int index, Sta
   std::vector<double> rest_lengths = cell.material.rest_lengths;
   if (rest_lengths.empty()) rest_lengths.assign(cell.nodes, cell.material.rest_length);
   renewed.material.rest_lengths = cells::between(rest_lengths, places);
+  if (!cell.held.length.empty()) renewed.held = {{}, cells::interpolate(cell.held.tension, places)};
   const auto carried = [&](const std::vector<double>& field) {
     return cells::interpolate(of_cell(field), places);
   };

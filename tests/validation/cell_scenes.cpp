@@ -72,6 +72,33 @@ Measurement run_cell_in_channel(const Resolution& resolution) {
   return m;
 }
 
+// The study's cell past the thrombus of 8 spacings, its membrane inextensible.
+Measurement run_held_past_thrombus(const Resolution& resolution) {
+  Case scene;
+  scene.vessel = {8 * height, height};
+  scene.inflow.velocity = velocity;
+  scene.thrombi = {{Wall::lower, 32e-6, 3.2e-6}};
+  RedCell cell;
+  cell.x = 16e-6;
+  cell.y = height / 2;
+  scene.cells = {cell};
+  scene.effects["inextensible"] = Switch::on;
+  scene.numerics = numerics_at(resolution, height);
+  scene.duration = 7e-3;
+  Flow flow(scene);
+  double length = 0, perimeter = 0;
+  while (!flow.finished()) {
+    flow.step();
+    const effects::CellState& now = flow.state().cells.front();
+    const cells::Ring ring = flow.state().ring(now);
+    length = std::max(length, cells::greatest_length_error(ring, now.held));
+    perimeter = std::max(perimeter, std::abs(cells::perimeter(ring) / now.start_perimeter - 1));
+  }
+  Measurement m = flow.measurement();
+  m.errors = {{"length", length}, {"perimeter", perimeter}};
+  return m;
+}
+
 // The study's cell in plasma that nothing moves. The first tenth of a millisecond, in which the membrane and
 // what was placed around it find their balance, does not count.
 Measurement run_resting_cell(const Resolution& resolution) {

@@ -25,7 +25,12 @@ const std::vector<Scene>& scenes() {
     return Scene{name, "elastic_ring_in_shear", [name](const Resolution& r) { return run_ring(r, name); }};
   };
   const auto vesicle = [](const char* name) {
-    return Scene{name, "vesicle_in_shear", [name](const Resolution& r) { return run_vesicle(r, name); }};
+    return Scene{name, "vesicle_in_shear",
+                 [name](const Resolution& r) { return run_vesicle(r, name, false); }};
+  };
+  const auto held = [](const char* name, const char* reference) {
+    return Scene{name, "vesicle_in_shear",
+                 [reference](const Resolution& r) { return run_vesicle(r, reference, true); }};
   };
   static const std::vector<Scene> all{{"couette_start", "couette_start", run_couette_start},
                                       {"poiseuille_start", "poiseuille_start", run_poiseuille_start},
@@ -49,8 +54,12 @@ const std::vector<Scene>& scenes() {
                                       vesicle("vesicle_080"),
                                       vesicle("vesicle_080_ratio_2"),
                                       vesicle("vesicle_080_ratio_4"),
+                                      held("vesicle_090_inextensible", "vesicle_090"),
+                                      held("vesicle_080_inextensible", "vesicle_080"),
+                                      held("vesicle_080_ratio_4_inextensible", "vesicle_080_ratio_4"),
                                       {"vesicle_tumbling", "vesicle_in_shear", run_tumbling},
                                       {"cell_in_channel", "cell_in_channel", run_cell_in_channel},
+                                      {"thrombus_inextensible", "kept_lengths", run_held_past_thrombus},
                                       {"resting_cell", "resting_cell", run_resting_cell}};
   return all;
 }

@@ -66,12 +66,13 @@ Measurement run_unequal_bifurcation(const Resolution& resolution);
 /// @param ring  its entry among the references
 Measurement run_ring(const Resolution& resolution, const std::string& ring);
 /// @param vesicle  its entry among the references
-Measurement run_vesicle(const Resolution& resolution, const std::string& vesicle);
+Measurement run_vesicle(const Resolution& resolution, const std::string& vesicle, bool inextensible);
 /// The viscosity ratio from which on a vesicle tumbles.
 Measurement run_tumbling(const Resolution& resolution);
 
 // A cell in the study's vessel, and one that nothing moves: cell_scenes.cpp.
 Measurement run_cell_in_channel(const Resolution& resolution);
+Measurement run_held_past_thrombus(const Resolution& resolution);
 Measurement run_resting_cell(const Resolution& resolution);
 
 }  // namespace rouleau::validation

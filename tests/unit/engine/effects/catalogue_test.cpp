@@ -60,6 +60,8 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   driven.body_acceleration = {1, 0};
   Case viscous = coarse_vessel_with_cells();
   viscous.cells[0].viscosity_ratio = 5;
+  Case held = coarse_vessel_with_cells();
+  held.effects["inextensible"] = Switch::on;
   Case lid = coarse_vessel();
   lid.vessel.shape = Shape::box;
   lid.vessel.ends = Ends::closed;
@@ -69,7 +71,7 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   for (const EffectKind* kind : catalogue()) {
     bool used = false;
     for (const Case& scene :
-         {coarse_vessel_with_cells(), published, deflating, driven, viscous, lid, pulsing}) {
+         {coarse_vessel_with_cells(), published, deflating, driven, viscous, held, lid, pulsing}) {
       const Need need = kind->need(scene);
       used = used || need.called_for || need.on_request;
     }

@@ -96,6 +96,14 @@ TEST(Checkpoint, CellsGoOnBitForBitAndLeave) {
   expect_resumed_bit_for_bit(scene);
 }
 
+TEST(Checkpoint, InextensibleCellsGoOnBitForBitAndLeave) {
+  Case scene = vessel_that_a_cell_leaves();
+  scene.effects["inextensible"] = Switch::on;
+  Recorder recorder;
+  ASSERT_TRUE(run_case(scene, recorder).cells[1].departure);
+  expect_resumed_bit_for_bit(scene);
+}
+
 TEST(Checkpoint, TheOneWrittenWhenStoppedIsTheLastState) {
   struct Stopping : Checkpoints {
     std::stop_source source;
