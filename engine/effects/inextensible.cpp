@@ -1,5 +1,6 @@
 #include "engine/effects/inextensible.h"
 
+#include <string>
 #include <utility>
 
 #include "engine/cells/inextensible.h"
@@ -58,6 +59,11 @@ const EffectKind inextensible{
     [](const Case& scene) {
       const Need can = of_accurate_scheme(scene, needs_cells(scene, "membranes stretch"));
       if (!can.called_for) return can;
+      for (std::size_t k = 0; k < scene.cells.size(); ++k) {
+        if (deflates(scene.cells[k]))
+          return Need{false, "a circle whose membrane keeps its length cannot deflate",
+                      "/cells/" + std::to_string(k) + "/shape"};
+      }
       return Need{false, "membranes stretch unless the case makes them inextensible", "/effects", true};
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Inextensible>(); },

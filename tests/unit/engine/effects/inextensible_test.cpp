@@ -33,10 +33,12 @@ TEST(Inextensible, IsOffUnlessAskedForAndThenStandsInForStretch) {
   EXPECT_TRUE(length_control.need(held).called_for);
 }
 
-TEST(Inextensible, NeedsCellsAndTheAccurateScheme) {
+TEST(Inextensible, NeedsCellsThatKeepTheirAreaAndTheAccurateScheme) {
   Case published = coarse_vessel_with_cells();
   published.numerics = preset_numerics(Preset::paper);
-  for (const Case& scene : {coarse_vessel(), published}) {
+  Case deflating = coarse_vessel_with_cells();
+  deflating.cells[0].shape = CellShape::circle;
+  for (const Case& scene : {coarse_vessel(), published, deflating}) {
     const Need need = inextensible.need(scene);
     EXPECT_FALSE(need.called_for || need.on_request);
     EXPECT_FALSE(need.reason.empty());
