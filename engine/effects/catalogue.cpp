@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "engine/effects/advection.h"
+#include "engine/effects/aggregation.h"
 #include "engine/effects/area_control.h"
 #include "engine/effects/bending.h"
 #include "engine/effects/body_force.h"
@@ -76,6 +77,7 @@ const std::vector<const EffectKind*>& catalogue() {
       &bending,
       &printed_bending,
       &contact,
+      &aggregation,
       &fading,
       &membrane_coupling,
       &direct_forces,

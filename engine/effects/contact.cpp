@@ -10,10 +10,9 @@ namespace rouleau::effects {
 
 namespace {
 
-// In spacings: how near a wall and another membrane must come, and how many links along the same membrane
+// In spacings: how near a wall must come; how many links along the same membrane
 // count as its own neighbourhood.
 constexpr double wall_range = 0.5;
-constexpr double membrane_range = 0.75;
 constexpr int own_neighbourhood = 6;
 // In spacings: where nothing is this much farther off, nothing can come in range until a node has moved half
 // of it.
@@ -34,8 +33,8 @@ class Contacts : public CellEffect {
     for (std::size_t c = 0; c < state.cells.size(); ++c) {
       find_walls(state, c, wall_range * state.spacing);
       touches |= push(state, c, wall_range);
-      find_membranes(state, c, membrane_range * state.spacing);
-      touches |= push(state, c, membrane_range);
+      find_membranes(state, c, membrane_contact_range * state.spacing);
+      touches |= push(state, c, membrane_contact_range);
     }
     if (touches) ++state.counters.contact_steps;
   }
@@ -59,7 +58,7 @@ class Contacts : public CellEffect {
     clear_y_.clear();
     for (std::size_t c = 0; c < state.cells.size() && contacts_.empty(); ++c) {
       find_walls(state, c, (wall_range + clearance) * state.spacing);
-      find_membranes(state, c, (membrane_range + clearance) * state.spacing);
+      find_membranes(state, c, (membrane_contact_range + clearance) * state.spacing);
     }
     const bool clear = contacts_.empty();
     contacts_.clear();

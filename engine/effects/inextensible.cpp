@@ -47,24 +47,18 @@ class Inextensible : public CellEffect {
 
 }  // namespace
 
-bool is_inextensible(const Case& scene) {
-  const auto wish = scene.effects.find(std::string(inextensible.name));
-  return wish != scene.effects.end() && wish->second.position == Switch::on;
-}
-
 const EffectKind inextensible{
     "inextensible",
     Stage::forces,
     true,
     [](const Case& scene) {
-      const Need can = of_accurate_scheme(scene, needs_cells(scene, "membranes stretch"));
-      if (!can.called_for) return can;
       for (std::size_t k = 0; k < scene.cells.size(); ++k) {
         if (deflates(scene.cells[k]))
           return Need{false, "a circle whose membrane keeps its length cannot deflate",
                       "/cells/" + std::to_string(k) + "/shape"};
       }
-      return Need{false, "membranes stretch unless the case makes them inextensible", "/effects", true};
+      return on_request(of_accurate_scheme(scene, needs_cells(scene, "membranes stretch")),
+                        "membranes stretch unless the case makes them inextensible");
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Inextensible>(); },
     CellEffect::rests};

@@ -59,6 +59,8 @@ const std::vector<Scene>& scenes() {
                                       held("vesicle_080_ratio_4_inextensible", "vesicle_080_ratio_4"),
                                       {"vesicle_tumbling", "vesicle_in_shear", run_tumbling},
                                       {"cell_in_channel", "cell_in_channel", run_cell_in_channel},
+                                      {"adhering_vesicles", "adhering_vesicles", run_adhering_vesicles},
+                                      {"rouleau", "rouleau", run_rouleau},
                                       {"thrombus_inextensible", "kept_lengths", run_held_past_thrombus},
                                       {"resting_cell", "resting_cell", run_resting_cell}};
   return all;

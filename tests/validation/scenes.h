@@ -70,6 +70,10 @@ Measurement run_vesicle(const Resolution& resolution, const std::string& vesicle
 /// The viscosity ratio from which on a vesicle tumbles.
 Measurement run_tumbling(const Resolution& resolution);
 
+// Cells that attract one another: aggregation_scenes.cpp.
+Measurement run_adhering_vesicles(const Resolution& resolution);
+Measurement run_rouleau(const Resolution& resolution);
+
 // A cell in the study's vessel, and one that nothing moves: cell_scenes.cpp.
 Measurement run_cell_in_channel(const Resolution& resolution);
 Measurement run_held_past_thrombus(const Resolution& resolution);
