@@ -58,7 +58,7 @@ Adhered adhered(double alpha, double adhesion, const Resolution& resolution, Mea
   scene.vessel = {6 * radius, 4 * radius};
   scene.vessel.ends = Ends::periodic;
   for (const double side : {-1.0, 1.0}) {
-    scene.cells.push_back(upright((3 + 0.69 * side) * radius, 2 * radius, alpha));
+    scene.cells.push_back(upright((3 + 0.64 * side) * radius, 2 * radius, alpha));
   }
   scene.effects["inextensible"] = Switch::on;
   scene.effects["aggregation"] = potential(depth, distance, scaling);

@@ -62,6 +62,8 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   viscous.cells[0].viscosity_ratio = 5;
   Case held = coarse_vessel_with_cells();
   held.effects["inextensible"] = Switch::on;
+  Case pair = coarse_vessel_with_cells(2);
+  pair.numerics.spacing = 0.5e-6;
   Case lid = coarse_vessel();
   lid.vessel.shape = Shape::box;
   lid.vessel.ends = Ends::closed;
@@ -71,7 +73,7 @@ TEST(Catalogue, EveryEffectIsForSomeScene) {
   for (const EffectKind* kind : catalogue()) {
     bool used = false;
     for (const Case& scene :
-         {coarse_vessel_with_cells(), published, deflating, driven, viscous, held, lid, pulsing}) {
+         {coarse_vessel_with_cells(), published, deflating, driven, viscous, held, pair, lid, pulsing}) {
       const Need need = kind->need(scene);
       used = used || need.called_for || need.on_request;
     }
