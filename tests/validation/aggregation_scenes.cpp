@@ -52,7 +52,7 @@ Adhered measured(const effects::State& state, const cells::MorseLaw& law) {
 
 /// Two vesicles side by side at rest, until they have found their shape.
 Adhered adhered(double alpha, double adhesion, const Resolution& resolution, Measurement& sum) {
-  const double distance = 0.12 * radius, scaling = 50 / radius;
+  const double distance = 0.12 * radius, scaling = 100 / radius;
   const double depth = adhesion * bend_modulus / (radius * radius);
   Case scene;
   scene.vessel = {6 * radius, 4 * radius};
