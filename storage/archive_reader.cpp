@@ -62,6 +62,35 @@ hsize_t checked_frame(hid_t file, int k) {
   return static_cast<hsize_t>(k);
 }
 
+/// Of the fields that frames carry on the membranes.
+std::vector<std::string> read_field_names(hid_t file) {
+  if (!exists(file, "/outlines")) return {};
+  const hdf5::Group outlines(checked(H5Gopen2(file, "/outlines", H5P_DEFAULT), "outlines"));
+  if (checked(H5Aexists(outlines.get(), "fields"), "outlines") == 0) return {};
+  return hdf5::read_text_attribute(outlines.get(), "fields");
+}
+
+std::vector<Outline> read_outlines(hid_t file, hsize_t k) {
+  std::vector<Outline> outlines;
+  const auto fields = read_field_names(file);
+  for (int c = 0; exists(file, "/outlines") && exists(file, "/outlines/cell" + std::to_string(c)); ++c) {
+    const std::string at = "/outlines/cell" + std::to_string(c) + "/";
+    const auto nodes = static_cast<std::size_t>(hdf5::shape_of(file, at + "value", 3)[1]);
+    const auto xy = read_record<float>(file, at + "value", k, 2 * nodes);
+    Outline& outline = outlines.emplace_back();
+    const bool left = std::isnan(xy[0]);
+    if (left) continue;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      outline.x.push_back(xy[2 * i]);
+      outline.y.push_back(xy[2 * i + 1]);
+    }
+    for (const std::string& field : fields) {
+      outline.fields[field] = read_record<float>(file, at + field, k, nodes);
+    }
+  }
+  return outlines;
+}
+
 Frame read_frame(hid_t file, hsize_t k) {
   const auto capacity = static_cast<std::size_t>(hdf5::shape_of(file, trajectory + "id/value", 2)[1]);
   const auto path = [](const char* element) { return trajectory + element + "/value"; };
@@ -101,29 +130,21 @@ Frame read_frame(hid_t file, hsize_t k) {
       throw ArchiveError(ArchiveError::Kind::format, "a particle of no known species");
     add(i);
   }
+  const auto fields = read_field_names(file);
+  frame.membrane_fields.resize(fields.size());
+  if (!fields.empty()) {
+    for (Outline& outline : read_outlines(file, k)) {
+      for (std::size_t f = 0; f < fields.size(); ++f) {
+        const std::vector<float>& of_cell = outline.fields[fields[f]];
+        frame.membrane_fields[f].insert(frame.membrane_fields[f].end(), of_cell.begin(), of_cell.end());
+      }
+    }
+  }
   if (exists(file, "/walls")) {
     const auto nodes = static_cast<std::size_t>(hdf5::shape_of(file, "/walls/shear_stress", 2)[1]);
     frame.wall_shear_stress = read_record<float>(file, "/walls/shear_stress", k, nodes);
   }
   return frame;
-}
-
-std::vector<Outline> read_outlines(hid_t file, hsize_t k) {
-  std::vector<Outline> outlines;
-  if (!exists(file, "/outlines")) return outlines;
-  for (int c = 0; exists(file, "/outlines/cell" + std::to_string(c)); ++c) {
-    const std::string path = "/outlines/cell" + std::to_string(c) + "/value";
-    const auto nodes = static_cast<std::size_t>(hdf5::shape_of(file, path, 3)[1]);
-    const auto xy = read_record<float>(file, path, k, 2 * nodes);
-    Outline& outline = outlines.emplace_back();
-    const bool left = std::isnan(xy[0]);
-    if (left) continue;
-    for (std::size_t i = 0; i < nodes; ++i) {
-      outline.x.push_back(xy[2 * i]);
-      outline.y.push_back(xy[2 * i + 1]);
-    }
-  }
-  return outlines;
 }
 
 SeriesTable read_series(hid_t file, const std::vector<std::string>& names) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ struct ProbeTable {
 
 /// The closed outline of a cell at one instant, counter-clockwise; empty once it has left the vessel.
 struct Outline {
-  std::vector<float> x, y;  ///< m
+  std::vector<float> x, y;                           ///< m
+  std::map<std::string, std::vector<float>> fields;  ///< by name, those that frames carry on the membranes
 };
 
 /// Reads archives of ours. The file is open only while a call lasts, so a reader never stands in the way of a

@@ -50,7 +50,7 @@ struct ArchiveWriter::Parts {
       : series(file, header.columns),
         probes(file, header.probes),
         trajectory(file, header),
-        outlines(file, header.nodes_per_cell),
+        outlines(file, header.nodes_per_cell, header.membrane_fields),
         walls(file, header.walls) {}
 
   void write_gathered() {
@@ -110,6 +110,7 @@ void ArchiveWriter::begin(const RunHeader& header) {
               .times = {},
               .capacity = header.capacity,
               .nodes_per_cell = header.nodes_per_cell,
+              .membrane_fields = header.membrane_fields,
               .velocity = carries(header.resolved, Field::velocity),
               .pressure = carries(header.resolved, Field::pressure)};
 }

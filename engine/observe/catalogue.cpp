@@ -1,4 +1,9 @@
+#include "engine/observe/cell_free_layer.h"
+#include "engine/observe/fahraeus.h"
 #include "engine/observe/frames.h"
+#include "engine/observe/hemolysis.h"
+#include "engine/observe/hydraulic_resistance.h"
+#include "engine/observe/membrane_maps.h"
 #include "engine/observe/observer.h"
 #include "engine/observe/probes.h"
 #include "engine/observe/series.h"
@@ -9,7 +14,8 @@ namespace rouleau::observe {
 
 const std::vector<const ObserverKind*>& catalogue() {
   static const std::vector<const ObserverKind*> kinds = {
-      &run_summary, &series, &probes, &frames, &wall_shear_stress,
+      &run_summary,          &series,          &probes,   &frames,        &wall_shear_stress,
+      &hydraulic_resistance, &cell_free_layer, &fahraeus, &membrane_maps, &hemolysis,
   };
   return kinds;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "engine/simulation/cell_free_flow.h"
 #include "engine/simulation/checkpoint.h"
 #include "engine/simulation/lasting.h"
 #include "engine/simulation/observers.h"
@@ -47,15 +48,6 @@ class Schedule {
   double next_ = 0;
   long count_ = 0;
 };
-
-/// The settled flow of the same vessel, without what is there for its cells.
-std::unique_ptr<const effects::State> cell_free_flow(const Case& resolved) {
-  Case scene = resolved;
-  scene.cells.clear();
-  scene.effects.clear();
-  scene.initial.flow = InitialFlow::developed;
-  return std::make_unique<const effects::State>(Simulation(scene).state());
-}
 
 RunHeader header_of(const Simulation& simulation, const Observers& observers) {
   const effects::State& state = simulation.state();

@@ -34,7 +34,9 @@ nlohmann::json numbers(const std::vector<float>& values) {
 nlohmann::json outlines_json(const std::vector<storage::Outline>& outlines) {
   auto array = nlohmann::json::array();
   for (const storage::Outline& outline : outlines) {
-    array.push_back({{"x", numbers(outline.x)}, {"y", numbers(outline.y)}});
+    nlohmann::json json{{"x", numbers(outline.x)}, {"y", numbers(outline.y)}};
+    for (const auto& [name, values] : outline.fields) json[name] = numbers(values);
+    array.push_back(std::move(json));
   }
   return array;
 }

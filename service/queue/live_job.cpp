@@ -7,12 +7,16 @@ namespace rouleau::service {
 namespace {
 
 /// The membrane nodes stand at the head of a frame, cell by cell.
-std::vector<storage::Outline> outlines_of(const Frame& frame, std::size_t cells) {
+std::vector<storage::Outline> outlines_of(const Frame& frame, std::size_t cells,
+                                          const std::vector<MembraneField>& fields) {
   std::vector<storage::Outline> outlines(cells);
   for (std::size_t i = 0; i < frame.x.size() && frame.kind[i] == ParticleKind::membrane; ++i) {
     storage::Outline& outline = outlines.at(static_cast<std::size_t>(frame.cell[i]));
     outline.x.push_back(frame.x[i]);
     outline.y.push_back(frame.y[i]);
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      outline.fields[fields[f].name].push_back(frame.membrane_fields.at(f).at(i));
+    }
   }
   return outlines;
 }
@@ -25,6 +29,7 @@ void LiveJob::begin(const RunHeader& header) {
   series_.values.assign(header.columns.size(), {});
   cells_ = header.nodes_per_cell.size();
   walls_ = header.walls;
+  membrane_fields_ = header.membrane_fields;
 }
 
 void LiveJob::series_row(std::span<const double> row) {
@@ -34,7 +39,7 @@ void LiveJob::series_row(std::span<const double> row) {
 }
 
 void LiveJob::frame(const Frame& frame) {
-  auto outlines = outlines_of(frame, cells_);
+  auto outlines = outlines_of(frame, cells_, membrane_fields_);
   const std::lock_guard lock(mutex_);
   outlines_.push_back({frame.time, std::move(outlines)});
   last_frame_ = frame;

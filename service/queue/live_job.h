@@ -59,6 +59,7 @@ class LiveJob : public Output {
   storage::SeriesTable series_;
   std::size_t cells_ = 0;
   WallNodes walls_;
+  std::vector<MembraneField> membrane_fields_;
   std::vector<Outlines> outlines_;
   std::optional<Frame> last_frame_;
   std::optional<Progress> progress_;

@@ -1,5 +1,6 @@
 #include "storage/archive/outline_writer.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "storage/archive/timed_group.h"
@@ -49,10 +50,16 @@ hdf5::Dataset make_bonds(hid_t file, hsize_t count) {
 
 }  // namespace
 
-OutlineWriter::OutlineWriter(hid_t file, const std::vector<int>& nodes_per_cell)
+OutlineWriter::OutlineWriter(hid_t file, const std::vector<int>& nodes_per_cell,
+                             const std::vector<MembraneField>& fields)
     : nodes_per_cell_(nodes_per_cell) {
   if (nodes_per_cell.empty()) return;
-  make_group(file, "/outlines");
+  const hdf5::Group all = make_group(file, "/outlines");
+  if (!fields.empty()) {
+    std::vector<std::string> names;
+    for (const MembraneField& field : fields) names.push_back(field.name);
+    hdf5::write_attribute(all.get(), "fields", names);
+  }
   make_group(file, "/observables");
   hsize_t bonds = 0;
   for (std::size_t k = 0; k < nodes_per_cell.size(); ++k) {
@@ -61,6 +68,12 @@ OutlineWriter::OutlineWriter(hid_t file, const std::vector<int>& nodes_per_cell)
     const hdf5::Group outline = make_timed_group(file, "/outlines/" + cell);
     outlines_.push_back(GrowingArray::create<float>(outline.get(), "value",
                                                     {.record = {nodes, 2}, .chunk = 1, .compressed = true}));
+    auto& of_cell = fields_.emplace_back();
+    for (const MembraneField& field : fields) {
+      of_cell.push_back(GrowingArray::create<float>(outline.get(), field.name,
+                                                    {.record = {nodes}, .chunk = 1, .compressed = true}));
+      hdf5::write_attribute(of_cell.back().id(), "unit", field.unit);
+    }
     const hdf5::Group area = make_timed_group(file, "/observables/" + cell + "_area");
     areas_.push_back(GrowingArray::create<double>(area.get(), "value", {.chunk = times_per_chunk}));
     bonds += nodes;
@@ -72,6 +85,7 @@ void OutlineWriter::add(const Frame& frame) {
   std::size_t i = 0;
   for (std::size_t k = 0; k < outlines_.size(); ++k) {
     const std::size_t numbers = 2 * static_cast<std::size_t>(nodes_per_cell_[k]);
+    const std::size_t first_node = i;
     std::vector<float> xy;
     for (; i < frame.id.size() && frame.kind[i] == ParticleKind::membrane &&
            frame.cell[i] == static_cast<std::int32_t>(k);
@@ -85,10 +99,30 @@ void OutlineWriter::add(const Frame& frame) {
       throw ArchiveError(ArchiveError::Kind::misuse,
                          "cell " + std::to_string(k) + " has not the membrane nodes that the run announced");
     }
+    add_fields(frame, k, first_node, i - first_node);
     outlines_[k].append(std::span<const float>(xy));
     areas_[k].append_one(enclosed_area(xy));
   }
   if (!bonds_written_ && !outlines_.empty()) write_bonds(frame);
+}
+
+void OutlineWriter::add_fields(const Frame& frame, std::size_t cell, std::size_t first_node,
+                               std::size_t nodes) {
+  std::vector<hdf5::GrowingArray>& fields = fields_[cell];
+  if (frame.membrane_fields.size() != fields.size()) {
+    throw ArchiveError(ArchiveError::Kind::misuse,
+                       "a frame carries other fields of the membranes than the run announced");
+  }
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    std::vector<float> values(static_cast<std::size_t>(nodes_per_cell_[cell]),
+                              std::numeric_limits<float>::quiet_NaN());
+    const std::vector<float>& all = frame.membrane_fields[f];
+    if (all.size() < first_node + nodes) {
+      throw ArchiveError(ArchiveError::Kind::misuse, "a field of the membranes lacks nodes");
+    }
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(first_node), nodes, values.begin());
+    fields[f].append(std::span<const float>(values));
+  }
 }
 
 void OutlineWriter::write_bonds(const Frame& frame) {

@@ -96,7 +96,11 @@ class Document {
           << n + 1 << "\">";
     for (int i = 0; i < n; ++i) text_ << i << ' ';
     text_ << "0</DataItem>\n</Topology>\n";
-    geometry("XY", {"/outlines/cell" + std::to_string(cell) + "/value", {n, 2}, real}, k);
+    const std::string at = "/outlines/cell" + std::to_string(cell) + "/";
+    geometry("XY", {at + "value", {n, 2}, real}, k);
+    for (const MembraneField& field : content_.membrane_fields) {
+      attribute(field.name, "Scalar", {at + field.name, {n}, real}, k);
+    }
   }
 
   void geometry(const std::string& type, const Array& array, int k) {

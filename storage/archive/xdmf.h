@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/observe/record.h"
+
 namespace rouleau::storage {
 
 /// What the sidecar must know of an archive.
@@ -11,6 +13,7 @@ struct XdmfContent {
   std::vector<double> times;
   int capacity = 0;
   std::vector<int> nodes_per_cell;
+  std::vector<MembraneField> membrane_fields;
   bool velocity = true;  ///< whether the particles have one
   bool pressure = true;
 };

@@ -101,6 +101,14 @@ class InH5py(unittest.TestCase):
         frames, nodes = np.arange(FRAMES)[:, None], np.arange(4)
         np.testing.assert_allclose(walls["shear_stress"], frames + 0.25 * nodes)
 
+    def test_fields_of_the_membranes(self):
+        self.assertEqual([n.decode() for n in self.file["outlines"].attrs["fields"]], ["strain", "tension"])
+        cell = self.file["outlines/cell1"]
+        frames, links = np.arange(FRAMES)[:, None], NODES + np.arange(NODES)
+        np.testing.assert_allclose(cell["strain"], frames + 0.01 * links, rtol=1e-6)
+        np.testing.assert_allclose(cell["tension"], 0 * frames + 1e-6 * links, rtol=1e-6)
+        self.assertEqual(cell["tension"].attrs["unit"].decode(), "N/m")
+
     def test_outlines_areas_and_bonds(self):
         outline = self.file["outlines/cell1/value"][:]
         self.assertEqual(outline.shape, (FRAMES, NODES, 2))
@@ -188,6 +196,11 @@ class TheSidecar(unittest.TestCase):
             for k, grid in enumerate(cell.findall("Grid")):
                 found = self.record(grid.find("Geometry/DataItem"))
                 np.testing.assert_array_equal(found, self.file[f"outlines/cell{c}/value"][k])
+                for attribute in grid.findall("Attribute"):
+                    name = attribute.get("Name")
+                    found = self.record(attribute.find("DataItem"))
+                    np.testing.assert_array_equal(found, self.file[f"outlines/cell{c}/{name}"][k])
+                self.assertEqual([a.get("Name") for a in grid.findall("Attribute")], ["strain", "tension"])
             order = grid.find("Topology/DataItem").text.split()
             self.assertEqual(order, [str(i) for i in range(NODES)] + ["0"])
 

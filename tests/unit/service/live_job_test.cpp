@@ -13,6 +13,7 @@ RunHeader header_of_two_cells() {
   RunHeader header;
   header.columns = {{"time", "s"}, {"cell0.u", "m/s"}};
   header.nodes_per_cell = {3, 2};
+  header.membrane_fields = {{"strain", "1"}};
   return header;
 }
 
@@ -24,6 +25,7 @@ Frame frame_at(double time) {
   frame.cell = {0, 0, 0, 1, 1, -1};
   frame.x = {0, 1, 2, 10, 11, 50};
   frame.y = {5, 6, 7, 15, 16, 50};
+  frame.membrane_fields = {{0.1F, 0.2F, 0.3F, 0.4F, 0.5F}};
   return frame;
 }
 
@@ -45,6 +47,7 @@ TEST(LiveJob, ShowsWhatTheRunDelivered) {
   ASSERT_EQ(outlines->size(), 2u);
   EXPECT_EQ((*outlines)[0].x, (std::vector<float>{0, 1, 2}));
   EXPECT_EQ((*outlines)[1].y, (std::vector<float>{15, 16}));
+  EXPECT_EQ((*outlines)[1].fields.at("strain"), (std::vector<float>{0.4F, 0.5F}));
   EXPECT_FALSE(job.outlines(2));
   EXPECT_FALSE(job.outlines(-1));
   EXPECT_EQ(job.last_frame()->time, 0.5);
@@ -57,6 +60,7 @@ TEST(LiveJob, ACellThatHasLeftHasAnEmptyOutline) {
   for (auto* numbers : {&frame.x, &frame.y}) numbers->erase(numbers->begin(), numbers->begin() + 3);
   frame.kind.erase(frame.kind.begin(), frame.kind.begin() + 3);
   frame.cell.erase(frame.cell.begin(), frame.cell.begin() + 3);
+  frame.membrane_fields = {{0.4F, 0.5F}};
   job.frame(frame);
   const auto outlines = job.outlines(0);
   ASSERT_TRUE(outlines);

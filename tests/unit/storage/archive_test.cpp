@@ -117,7 +117,7 @@ TEST_F(Archive, OutlinesOfACellEndWhereItLeaves) {
   EXPECT_EQ(reader.outlines(0)[0].x.size(), static_cast<std::size_t>(SyntheticRun::nodes));
   const auto outlines = reader.outlines(1);
   ASSERT_EQ(outlines.size(), 2u);
-  EXPECT_TRUE(outlines[0].x.empty());
+  EXPECT_TRUE(outlines[0].x.empty() && outlines[0].fields.empty());
   EXPECT_EQ(outlines[1].x, std::vector<float>(later.x.begin(), later.x.begin() + SyntheticRun::nodes));
 }
 
@@ -162,14 +162,33 @@ TEST_F(Archive, GivesBackTheStressOnTheWalls) {
   }
 }
 
+TEST_F(Archive, GivesBackTheFieldsOfTheMembranes) {
+  written(3);
+  const ArchiveReader reader(path);
+  for (int k = 0; k < 3; ++k) {
+    const Frame expected = SyntheticRun::frame(k);
+    EXPECT_EQ(reader.frame(k).membrane_fields, expected.membrane_fields);
+    const auto outlines = reader.outlines(k);
+    const std::vector<float>& tension = expected.membrane_fields[1];
+    EXPECT_EQ(outlines[1].fields.at("tension"),
+              std::vector<float>(tension.begin() + SyntheticRun::nodes, tension.end()));
+  }
+  std::ifstream sidecar(sidecar_path(path));
+  std::stringstream xdmf;
+  xdmf << sidecar.rdbuf();
+  EXPECT_NE(xdmf.str().find("/outlines/cell1/strain"), std::string::npos);
+}
+
 TEST_F(Archive, HasNoFieldsThatTheCaseDoesNotAskFor) {
   RunHeader header = SyntheticRun::header();
   header.resolved.output.fields.clear();
   header.probes.clear();
   header.walls = {};
+  header.membrane_fields.clear();
   Frame frame = SyntheticRun::frame(0);
   const auto positions = frame.x;
   for (auto* field : {&frame.u, &frame.v, &frame.p, &frame.wall_shear_stress}) field->clear();
+  frame.membrane_fields.clear();
   ArchiveWriter writer(path, "{}");
   writer.begin(header);
   writer.frame(frame);
@@ -178,6 +197,7 @@ TEST_F(Archive, HasNoFieldsThatTheCaseDoesNotAskFor) {
   const Frame found = reader.frame(0);
   EXPECT_EQ(found.x, positions);
   EXPECT_TRUE(found.u.empty() && found.v.empty() && found.p.empty() && found.wall_shear_stress.empty());
+  EXPECT_TRUE(found.membrane_fields.empty() && reader.outlines(0)[0].fields.empty());
   EXPECT_TRUE(reader.probe_names().empty());
   EXPECT_TRUE(reader.walls().x.empty());
   EXPECT_EQ(kind_of([&] { reader.probe("line"); }), ArchiveError::Kind::range);
@@ -277,6 +297,16 @@ TEST_F(Archive, RefusesWhatDoesNotFitItsHeader) {
   refused([](ArchiveWriter& w) {
     Frame frame = SyntheticRun::frame(0);
     frame.wall_shear_stress.pop_back();
+    w.frame(frame);
+  });
+  refused([](ArchiveWriter& w) {
+    Frame frame = SyntheticRun::frame(0);
+    frame.membrane_fields.pop_back();
+    w.frame(frame);
+  });
+  refused([](ArchiveWriter& w) {
+    Frame frame = SyntheticRun::frame(0);
+    frame.membrane_fields[0].pop_back();
     w.frame(frame);
   });
   refused([](ArchiveWriter& w) { w.begin(SyntheticRun::header()); });

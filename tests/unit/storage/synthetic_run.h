@@ -29,6 +29,7 @@ struct SyntheticRun {
     header.probes = {{"line", {1e-6, 1e-6, 1e-6}, {-1e-6, 0, 1e-6}, true}, {"point", {2e-6}, {5e-6}, false}};
     header.walls = {{0, 4e-5, 0, 4e-5}, {0, 0, 1e-5, 1e-5}, {0, 0, 0, 0},
                     {1, 1, -1, -1},     {0, 4e-5, 0, 4e-5}, {0, 0, 1, 1}};
+    header.membrane_fields = {{"strain", "1"}, {"tension", "N/m"}};
     header.nodes_per_cell = std::vector<int>(cells, nodes);
     header.capacity = cells * nodes + plasma + 5;
     return header;
@@ -44,6 +45,11 @@ struct SyntheticRun {
         add(frame, cell * nodes + i, ParticleKind::membrane, cell,
             1e-5 * (cell + 1) + 1e-6 * k + 2e-6 * std::cos(angle), 5e-6 + 2e-6 * std::sin(angle), k);
       }
+    }
+    frame.membrane_fields.resize(2);
+    for (int i = 0; i < cells * nodes; ++i) {
+      frame.membrane_fields[0].push_back(static_cast<float>(0.01 * i + k));
+      frame.membrane_fields[1].push_back(static_cast<float>(1e-6 * i));
     }
     for (int i = 0; i < wall_nodes; ++i) frame.wall_shear_stress.push_back(static_cast<float>(k + 0.25 * i));
     for (int i = 0; i < plasma; ++i) {

@@ -60,6 +60,7 @@ void expect_the_rest(const Recorder& whole, const Recorder& rest, const Checkpoi
     EXPECT_EQ(one.step, other.step);
     expect_same_particles(one, other);
     EXPECT_EQ(one.wall_shear_stress, other.wall_shear_stress);
+    EXPECT_EQ(one.membrane_fields, other.membrane_fields);
   }
   EXPECT_EQ(rest.header.capacity, whole.header.capacity);
 }
@@ -101,6 +102,16 @@ TEST(Checkpoint, InextensibleCellsGoOnBitForBitAndLeave) {
   scene.effects["inextensible"] = Switch::on;
   Recorder recorder;
   ASSERT_TRUE(run_case(scene, recorder).cells[1].departure);
+  expect_resumed_bit_for_bit(scene);
+}
+
+TEST(Checkpoint, OptionalOutputsGoOnBitForBit) {
+  Case scene = vessel_that_a_cell_leaves();
+  scene.probes.clear();
+  for (const char* output :
+       {"hydraulic_resistance", "cell_free_layer", "fahraeus", "membrane_maps", "hemolysis"}) {
+    scene.effects[output] = {Switch::on};
+  }
   expect_resumed_bit_for_bit(scene);
 }
 
