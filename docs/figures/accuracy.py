@@ -161,6 +161,32 @@ SCENES = {
         "The same, four times as viscous inside",
         "Near the threshold of tumbling, where the inclination depends most on everything.",
     ),
+    "vesicle_090_inextensible": (
+        "A vesicle whose membrane keeps its length, area 0.9",
+        "As with the stiff spring, by the effect `inextensible` (docs/effects/inextensible.md).",
+    ),
+    "vesicle_080_inextensible": (
+        "The same, area 0.8",
+        "As above.",
+    ),
+    "vesicle_080_ratio_4_inextensible": (
+        "The same, four times as viscous inside",
+        "As above.",
+    ),
+    "thrombus_inextensible": (
+        "A cell whose membrane keeps its length past a thrombus",
+        "The study's cell and thrombus of 8 d0, 7 ms: what any link, and the perimeter, is ever off by.",
+    ),
+    "adhering_vesicles": (
+        "Two vesicles that adhere",
+        "Of reduced area 0.8, at rest, for adhesions w R²/B of 4 and 16: the length of their contact and the size of one "
+        "across and along it (docs/effects/aggregation.md). N spacings over 2R. The reference's potential has no "
+        "range, this one R/100.",
+    ),
+    "rouleau": (
+        "A stack of three cells in shear",
+        "1 where it breaks in slow shear, or holds in fast (docs/effects/aggregation.md).",
+    ),
     "vesicle_tumbling": (
         "From which viscosity ratio on a vesicle tumbles",
         "Area 0.9. By the reference one of ratio 5 treads and one of 5.5 tumbles. Runs from an inclination of 0 over "

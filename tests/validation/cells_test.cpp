@@ -33,6 +33,21 @@ TEST(Cells, AVesicleInShearTreads) {
   EXPECT_LE(m.error("period"), 0.045);
 }
 
+// The same with a membrane that does not stretch at all.
+TEST(Cells, AnInextensibleVesicleInShearTreads) {
+  const Measurement m = coarse("vesicle_080_inextensible");
+  EXPECT_LE(m.error("inclination_over_pi"), 0.005);
+  EXPECT_LE(m.error("deformation"), 0.025);
+  EXPECT_LE(m.error("period"), 0.045);
+}
+
+// 1e-3 and 1e-4 are asked for.
+TEST(Cells, AnInextensibleCellKeepsItsLinksPastAThrombus) {
+  const Measurement m = coarse("thrombus_inextensible", 16);
+  EXPECT_LE(m.error("length"), 1e-8);
+  EXPECT_LE(m.error("perimeter"), 1e-8);
+}
+
 TEST(Cells, AVesicleInShearTumblesFromItsThresholdOn) {
   EXPECT_LE(coarse("vesicle_tumbling").error("threshold_off_by"), 0.5);
 }

@@ -76,6 +76,7 @@ TEST(LengthControl, GivesEveryLinkItsLengthByASmallMoveThatTurnsNothing) {
     state.next_y[i] += 0.05 * state.spacing * std::cos(5.0 * static_cast<double>(i));
   }
   const auto before_x = state.next_x, before_y = state.next_y;
+  const double area = cells::area(next_ring(state));
   ASSERT_GT(cells::greatest_length_error(next_ring(state), state.cells[0].held), 0.05);
   length_control.make(state)->apply(state);
   EXPECT_LT(cells::greatest_length_error(next_ring(state), state.cells[0].held), 1e-9);
@@ -87,6 +88,7 @@ TEST(LengthControl, GivesEveryLinkItsLengthByASmallMoveThatTurnsNothing) {
     turn += before_x[i] * dy - before_y[i] * dx;
   }
   EXPECT_LT(moved, 0.15 * state.spacing);
+  EXPECT_NEAR(cells::area(next_ring(state)), area, 1e-3 * area);
   EXPECT_NEAR(x, 0, 1e-12);
   EXPECT_NEAR(y, 0, 1e-12);
   EXPECT_LT(std::abs(turn), 0.01 * moved * static_cast<double>(nodes));
