@@ -18,8 +18,8 @@ using effects::Need;
 using effects::State;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-// Over the unit of flux: less flow has no resistance to speak of.
-constexpr double no_flux = 1e-6;
+// Over the unit of flux: where a flow turns round its pressure drop does not follow from it.
+constexpr double no_flux = 1e-2;
 
 const std::vector<Column> cell_columns{{"resistance", "Pa s/m2"}};
 

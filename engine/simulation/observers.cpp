@@ -6,19 +6,31 @@
 
 namespace rouleau {
 
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
 Observers::Observers(const Plan& plan, const effects::State& start, const observe::CellFreeFlow& cell_free) {
   for (const observe::ObserverKind* kind : observe::catalogue()) {
-    if (runs(plan, kind->name)) observers_.push_back({kind, kind->make(start, cell_free), {}});
+    if (!runs(plan, kind->name)) continue;
+    const auto begun = Clock::now();
+    observers_.push_back({kind, kind->make(start, cell_free), {}});
+    observers_.back().usage.seconds = seconds_since(begun);
   }
 }
 
 template <class Look>
 void Observers::for_each(Look look) {
-  using Clock = std::chrono::steady_clock;
   for (Looking& looking : observers_) {
     const auto start = Clock::now();
     look(*looking.observer);
-    looking.usage.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    looking.usage.seconds += seconds_since(start);
     ++looking.usage.rounds;
     ++looking.usage.awake;
   }
