@@ -40,7 +40,7 @@ double mean_at_end(const RecordedRun& run, const std::string& name) {
   return sum / static_cast<double>(values.size() - from);
 }
 
-// The errors are of first order in the spacing (docs/effects/hydraulic_resistance.md): at H/50 up to a tenth.
+// The errors fall with the spacing (docs/effects/hydraulic_resistance.md): at H/50 up to a tenth.
 class FloatingCylinder : public testing::TestWithParam<const char*> {};
 
 TEST_P(FloatingCylinder, AddsTheResistanceOfStokesFlow) {
