@@ -79,10 +79,9 @@ class Aggregation : public Effect {
 Need too_coarse(double distance, double spacing) {
   char reason[200];
   std::snprintf(reason, sizeof reason,
-                "membranes are in contact within 0.75 spacings, %.3g um, so they cannot come to a zero-force "
-                "distance of "
-                "%.3g um; a spacing of %.2g um would do",
-                membrane_contact_range * spacing * 1e6, distance * 1e6,
+                "membranes are in contact within %.2g spacings, %.3g um: they cannot come to a zero-force "
+                "distance of %.3g um; the spacing may be at most %.3g um",
+                membrane_contact_range, membrane_contact_range * spacing * 1e6, distance * 1e6,
                 distance / membrane_contact_range * 1e6);
   return {false, reason, "/effects/aggregation/zero_force_distance"};
 }

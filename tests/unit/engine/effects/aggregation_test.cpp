@@ -76,7 +76,7 @@ TEST(Aggregation, SaysWhatSpacingWouldResolveItsDistance) {
   scene.effects["aggregation"].parameters["zero_force_distance"] = 0.3e-6;
   const Need need = aggregation.need(scene);
   EXPECT_FALSE(need.on_request);
-  EXPECT_THAT(need.reason, testing::HasSubstr("a spacing of 0.4 um"));
+  EXPECT_THAT(need.reason, testing::HasSubstr("at most 0.4 um"));
   EXPECT_EQ(need.pointer, "/effects/aggregation/zero_force_distance");
 }
 
