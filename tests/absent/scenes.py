@@ -55,6 +55,8 @@ def scenes(examples):
         "viscous_cell": changed(example("single_cell_8d0"), cells=[cell(16e-6, viscosity_ratio=5)]),
         "deflating_cell": example("deflating_cell"),
         "cell_in_shear": example("cell_in_shear"),
+        "inextensible_cell": example("inextensible_cell"),
+        "rouleau": example("rouleau_in_shear"),
         "two_cells": two_cells,
         "everything": changed(two_cells, cells=[cell(8e-6, viscosity_ratio=5), cell(14e-6, 4.5e-6)],
                               inflow={"waveform": [[0, 1], [1e-3, 1.5]]}, output=EVERY_OUTPUT, probes=[PROBE],
