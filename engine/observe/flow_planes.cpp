@@ -6,11 +6,11 @@ namespace rouleau::observe {
 
 namespace {
 
-// In spacings: clear of the corners where a plug meets the walls.
+// In spacings at the start, as planes stay where they are: clear of the corners where a plug meets the walls.
 constexpr double depth = 6;
 
 std::vector<operators::SamplingPlane> inside(const effects::State& state, const geometry::Opening& opening) {
-  const double beyond = -depth * state.spacing;
+  const double beyond = -depth * state.start_spacing;
   return fluid_segments(state, opening.at(0, beyond), opening.at(opening.width, beyond));
 }
 
@@ -42,7 +42,7 @@ double pressure_drop(const effects::State& state, const operators::CrossSection&
   double given = 0;
   const int outlets = outlet_count(state.scene.vessel);
   for (int k = 0; k < outlets; ++k) given += state.scene.outflow.pressure[k] / outlets;
-  return inlet.pressure + developed_slope * depth * state.spacing - given / state.scales.pressure();
+  return inlet.pressure + developed_slope * depth * state.start_spacing - given / state.scales.pressure();
 }
 
 }  // namespace rouleau::observe

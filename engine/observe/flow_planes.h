@@ -6,10 +6,10 @@
 
 namespace rouleau::observe {
 
-/// The planes at which flow through the vessel is measured, six spacings inside its openings, each as the
-/// segments of it that lie in the fluid. The flux into the vessel counts as positive at the inlet, that out
-/// of it at the outlets. In a periodic straight vessel both are the plane at x = 0; a box has no inlet, and
-/// one outlet without segments.
+/// The planes at which flow through the vessel is measured, six of the spacings at the start inside its
+/// openings, each as the segments of it that lie in the fluid. The flux into the vessel counts as positive at
+/// the inlet, that out of it at the outlets. In a periodic straight vessel both are the plane at x = 0; a box
+/// has no inlet, and one outlet without segments.
 struct FlowPlanes {
   std::vector<operators::SamplingPlane> inlet;
   std::vector<std::vector<operators::SamplingPlane>> outlets;

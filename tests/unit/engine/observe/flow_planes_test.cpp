@@ -47,6 +47,14 @@ TEST(FlowPlanes, StandSixSpacingsInsideAnOpenVessel) {
   EXPECT_NEAR(total_flux(state.particles, planes.outlets[0]), 1, 1e-9);
 }
 
+TEST(FlowPlanes, StayWhereTheyAreWhenTheSpacingBecomesFiner) {
+  const Case scene = coarse_vessel();
+  const effects::State start(scene, scales_of(scene), spacing),
+      finer(scene, scales_of(scene), spacing / 2, spacing);
+  EXPECT_EQ(flow_planes(finer).inlet[0].from[0], flow_planes(start).inlet[0].from[0]);
+  EXPECT_EQ(pressure_drop(finer, {1, 0.7}), pressure_drop(start, {1, 0.7}));
+}
+
 TEST(FlowPlanes, LeaveOutAThrombus) {
   Case scene = coarse_vessel();
   scene.vessel.length = 30e-6;
