@@ -11,7 +11,8 @@ namespace {
 
 constexpr double height = 10e-6, viscosity = 1e-3;
 
-/// A circle that neither its membrane nor its area lets change: a rigid cylinder, however its inside turns.
+/// A circle that neither its membrane nor its area lets change much: nearly a rigid cylinder, however its
+/// inside turns.
 Case floating_cylinder(const nlohmann::json& exact) {
   Case scene;
   scene.vessel = {3 * height, height};
