@@ -53,7 +53,7 @@ Router make_routes(Service& service, const std::filesystem::path& web) {
   add_frames(router, service);
   add_probes(router, service);
   add_archive(router, service);
-  add_cases(router);
+  add_cases(router, service);
   add_problems(router);
   add_openapi(router);
   const std::filesystem::path folder = web.empty() ? std::filesystem::path(ROULEAU_WEB_DIR) : web;
@@ -90,8 +90,9 @@ void serve(const ServeOptions& options) {
   if (options.health_port != 0) {
     health.emplace(make_health_routes(draining), health_settings, "127.0.0.1", options.health_port);
   }
-  Queue queue(store, options.data / "archives");
-  Service service{store, queue, draining};
+  KnownMachine machine(options.data);
+  Queue queue(store, options.data / "archives", machine);
+  Service service{store, queue, draining, machine};
   RunningServer api(make_routes(service, options.web), std::move(settings), options.host, options.port);
 
   // Only now that the addresses are ours is a job touched.

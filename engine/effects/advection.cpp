@@ -26,8 +26,13 @@ class Advection : public Effect {
 
 }  // namespace
 
-const EffectKind advection{"advection", Stage::motion, false,
+const EffectKind advection{"advection",
+                           Stage::motion,
+                           false,
                            [](const Case&) { return always("particles move with the flow"); },
-                           [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Advection>(); }};
+                           [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Advection>(); },
+                           "",
+                           {},
+                           {.particle = 2.9}};
 
 }  // namespace rouleau::effects

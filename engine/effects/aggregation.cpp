@@ -111,6 +111,7 @@ const EffectKind aggregation{
      {"zero_force_distance", "m", "Distance at which two membranes neither attract nor repel one another.",
       0.49e-6, 1e-9, 1e-5},
      {"scaling_factor", "1/m", "Inverse of the length over which the attraction falls off.", 3.84e6, 1e5,
-      1e9}}};
+      1e9}},
+    {.membrane_node = 180}};
 
 }  // namespace rouleau::effects

@@ -46,6 +46,8 @@ const EffectKind area_control{
       return of_accurate_scheme(scene, needs_cells(scene, "a cell keeps its volume"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<AreaControl>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.once = 440, .membrane_node = 20}};
 
 }  // namespace rouleau::effects

@@ -15,6 +15,8 @@ const EffectKind bending{
     [](State&) -> std::unique_ptr<Effect> {
       return std::make_unique<ElasticEnergy>(cells::add_bending_forces, cells::append_bending_stiffness);
     },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.membrane_node = 110}};
 
 }  // namespace rouleau::effects

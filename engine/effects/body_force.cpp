@@ -22,13 +22,18 @@ class BodyForce : public Effect {
 }  // namespace
 
 const EffectKind body_force{
-    "body_force", Stage::forces, false,
+    "body_force",
+    Stage::forces,
+    false,
     [](const Case& scene) {
       const auto& a = scene.body_acceleration;
       const bool given = a[0] != 0 || a[1] != 0;
       return Need{given, given ? "the case accelerates the plasma" : "nothing accelerates the plasma",
                   "/body_acceleration"};
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<BodyForce>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<BodyForce>(state); },
+    "",
+    {},
+    {.particle = 0.6}};
 
 }  // namespace rouleau::effects

@@ -141,6 +141,8 @@ const EffectKind contact{"contact",
                                scene, needs_cells(scene, "a cell can come near walls and membranes"));
                          },
                          [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Contacts>(); },
-                         "while no wall and no other membrane is near"};
+                         "while no wall and no other membrane is near",
+                         {},
+                         {.membrane_node = 170}};
 
 }  // namespace rouleau::effects

@@ -37,7 +37,9 @@ class CornerFlow : public Effect {
 }  // namespace
 
 const EffectKind corner_flow{
-    "corner_flow", Stage::forces, true,
+    "corner_flow",
+    Stage::forces,
+    true,
     [](const Case& scene) {
       const auto& speeds = scene.vessel.wall_velocity;
       const bool moves = speeds.lower != 0 || speeds.upper != 0 || speeds.left != 0 || speeds.right != 0;
@@ -47,6 +49,9 @@ const EffectKind corner_flow{
       return of_accurate_scheme(scene, {true, "velocity jumps in the corners between walls that move apart",
                                         "/vessel/wall_velocity"});
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<CornerFlow>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<CornerFlow>(state); },
+    "",
+    {},
+    {.particle = 400}};
 
 }  // namespace rouleau::effects

@@ -97,6 +97,8 @@ const EffectKind deflation{
                   "/cells"};
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Deflation>(); },
-    "once every cell has its area"};
+    "once every cell has its area",
+    {},
+    {.particle = 3}};
 
 }  // namespace rouleau::effects

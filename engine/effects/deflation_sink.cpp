@@ -30,6 +30,8 @@ const EffectKind deflation_sink{
     false,
     [](const Case& scene) { return of_accurate_scheme(scene, deflation.need(scene)); },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<DeflationSink>(); },
-    deflation.rests};
+    deflation.rests,
+    {},
+    {.particle = 1}};
 
 }  // namespace rouleau::effects

@@ -85,6 +85,8 @@ const EffectKind departure{
     false,
     [](const Case& scene) { return needs_cells_that_leave(scene, "cells can leave through the outlet"); },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Departing>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.once = 240, .membrane_node = 2.8}};
 
 }  // namespace rouleau::effects

@@ -27,6 +27,8 @@ const EffectKind direct_forces{
                                                     "eq. 13"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<DirectForces>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.particle = 0.1}};
 
 }  // namespace rouleau::effects

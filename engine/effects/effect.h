@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/case/case.h"
+#include "engine/effects/cost.h"
 #include "engine/effects/state.h"
 
 namespace rouleau::effects {
@@ -62,6 +63,7 @@ struct EffectKind {
   std::unique_ptr<Effect> (*make)(State& state);
   std::string_view rests = "";  ///< when it sleeps, as a part of a sentence
   std::vector<Parameter> parameters = {};
+  Cost cost = {};  ///< each time that it is applied
 };
 
 /// Of an effect (or observer) by its name in the scene: what the case gives, else its default. SI.

@@ -32,6 +32,8 @@ const EffectKind fading{"fading",
                           return needs_cells_that_leave(scene, "a membrane's forces fade before an outlet");
                         },
                         [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Fading>(); },
-                        "while no cell is near an outlet"};
+                        "while no cell is near an outlet",
+                        {},
+                        {.membrane_node = 2}};
 
 }  // namespace rouleau::effects

@@ -25,12 +25,17 @@ class GradientFromLeastPressure : public Effect {
 }  // namespace
 
 const EffectKind gradient_from_least_pressure{
-    "gradient_from_least_pressure", Stage::pressure, true,
+    "gradient_from_least_pressure",
+    Stage::pressure,
+    true,
     [](const Case& scene) {
       return of_published_scheme(scene,
                                  "change to the published scheme: eq. 5 against the least pressure nearby "
                                  "instead of p_i, so that particles push each other apart and never pull");
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<GradientFromLeastPressure>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<GradientFromLeastPressure>(); },
+    "",
+    {},
+    {.particle = 9}};
 
 }  // namespace rouleau::effects

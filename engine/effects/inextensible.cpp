@@ -61,6 +61,8 @@ const EffectKind inextensible{
                         "membranes stretch unless the case makes them inextensible");
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Inextensible>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.membrane_node = 40}};
 
 }  // namespace rouleau::effects

@@ -107,11 +107,16 @@ class Inflow : public Effect {
 }  // namespace
 
 const EffectKind inflow{
-    "inflow", Stage::boundaries, false,
+    "inflow",
+    Stage::boundaries,
+    false,
     [](const Case& scene) {
       if (!is_open(scene.vessel)) return Need{false, "the vessel has no inlet", "/vessel/ends"};
       return Need{true, "the vessel's inlet is open", "/inflow"};
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Inflow>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Inflow>(state); },
+    "",
+    {},
+    {.particle = 3.3}};
 
 }  // namespace rouleau::effects

@@ -40,12 +40,17 @@ class InflowFlux : public Effect {
 }  // namespace
 
 const EffectKind inflow_flux{
-    "inflow_flux", Stage::pressure, true,
+    "inflow_flux",
+    Stage::pressure,
+    true,
     [](const Case& scene) {
       if (!is_open(scene.vessel)) return Need{false, "the vessel has no inlet", "/vessel/ends"};
       return of_accurate_scheme(scene,
                                 {true, "the flux given at the inlet is kept exactly", "/inflow/velocity"});
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<InflowFlux>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<InflowFlux>(); },
+    "",
+    {},
+    {.particle = 3.4, .each = 2450, .count = [](const Work& w) { return w.inlet_rows; }}};
 
 }  // namespace rouleau::effects

@@ -12,10 +12,15 @@ class LeastSquares : public Effect {
 }  // namespace
 
 const EffectKind least_squares{
-    "least_squares", Stage::operators, false,
+    "least_squares",
+    Stage::operators,
+    false,
     [](const Case& scene) {
       return of_accurate_scheme(scene, always("derivatives must be exact for quadratic fields"));
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<LeastSquares>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<LeastSquares>(); },
+    "",
+    {},
+    {.particle = 141, .wall_node = 46}};
 
 }  // namespace rouleau::effects

@@ -137,6 +137,8 @@ const EffectKind length_control{
           scene, {true, "an inextensible membrane's links keep their lengths", "/effects/inextensible"});
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<LengthControl>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.membrane_node = 50}};
 
 }  // namespace rouleau::effects

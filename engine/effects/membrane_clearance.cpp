@@ -75,6 +75,8 @@ const EffectKind membrane_clearance{
       return of_accurate_scheme(scene, needs_cells(scene, "fluid must not crowd onto a membrane"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneClearance>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.particle = 21, .membrane_node = 1650}};
 
 }  // namespace rouleau::effects

@@ -273,6 +273,8 @@ const EffectKind membrane_coupling{
       return of_accurate_scheme(scene, needs_cells(scene, "the fluid feels the membranes' forces"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneCoupling>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.particle = 45, .membrane_node = 2620}};
 
 }  // namespace rouleau::effects

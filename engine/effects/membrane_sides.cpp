@@ -67,6 +67,8 @@ const EffectKind membrane_sides{
       return of_accurate_scheme(scene, needs_cells(scene, "a membrane lets no fluid through"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneSides>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.particle = 28, .membrane_node = 300}};
 
 }  // namespace rouleau::effects

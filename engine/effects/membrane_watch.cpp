@@ -91,6 +91,8 @@ const EffectKind membrane_watch{
     false,
     [](const Case& scene) { return of_accurate_scheme(scene, needs_cells(scene, "a cell must stay whole")); },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneWatch>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.particle = 0.8, .membrane_node = 70}};
 
 }  // namespace rouleau::effects

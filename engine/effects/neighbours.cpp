@@ -26,8 +26,13 @@ class Neighbours : public Effect {
 }  // namespace
 
 const EffectKind neighbours{
-    "neighbours", Stage::operators, false,
+    "neighbours",
+    Stage::operators,
+    false,
     [](const Case&) { return always("particles feel those within the kernel's radius"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Neighbours>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Neighbours>(); },
+    "",
+    {},
+    {.particle = 170}};
 
 }  // namespace rouleau::effects

@@ -46,8 +46,13 @@ class NumberDensity : public Effect {
 }  // namespace
 
 const EffectKind number_density{
-    "number_density", Stage::pressure, false,
+    "number_density",
+    Stage::pressure,
+    false,
     [](const Case& scene) { return of_published_scheme(scene, "plasma is incompressible: eqs. 7 and 8"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<NumberDensity>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<NumberDensity>(); },
+    "",
+    {},
+    {.particle = 175}};
 
 }  // namespace rouleau::effects

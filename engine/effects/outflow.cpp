@@ -186,11 +186,16 @@ class Outflow : public Effect {
 }  // namespace
 
 const EffectKind outflow{
-    "outflow", Stage::boundaries, false,
+    "outflow",
+    Stage::boundaries,
+    false,
     [](const Case& scene) {
       if (!is_open(scene.vessel)) return Need{false, "the vessel has no outlet", "/vessel/ends"};
       return Need{true, "the vessel's outlet is open", "/outflow"};
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Outflow>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Outflow>(state); },
+    "",
+    {},
+    {.particle = 5.4, .each = 1500, .count = [](const Work& w) { return w.outlet_rows; }}};
 
 }  // namespace rouleau::effects

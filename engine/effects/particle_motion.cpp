@@ -15,10 +15,15 @@ class ParticleMotion : public Effect {
 }  // namespace
 
 const EffectKind particle_motion{
-    "particle_motion", Stage::motion, false,
+    "particle_motion",
+    Stage::motion,
+    false,
     [](const Case& scene) {
       return of_published_scheme(scene, "particles carry velocity and pressure along");
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ParticleMotion>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ParticleMotion>(); },
+    "",
+    {},
+    {.particle = 0.5}};
 
 }  // namespace rouleau::effects

@@ -42,12 +42,17 @@ class Periodicity : public Effect {
 }  // namespace
 
 const EffectKind periodicity{
-    "periodicity", Stage::boundaries, false,
+    "periodicity",
+    Stage::boundaries,
+    false,
     [](const Case& scene) {
       const bool periodic = scene.vessel.ends == Ends::periodic;
       return Need{periodic, periodic ? "the vessel repeats itself" : "the vessel does not repeat itself",
                   "/vessel/ends"};
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Periodicity>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Periodicity>(); },
+    "",
+    {},
+    {.particle = 0.5}};
 
 }  // namespace rouleau::effects

@@ -33,7 +33,9 @@ class PressureCoarseSpace : public Effect {
 }  // namespace
 
 const EffectKind pressure_coarse_space{
-    "pressure_coarse_space", Stage::pressure, true,
+    "pressure_coarse_space",
+    Stage::pressure,
+    true,
     [](const Case& scene) {
       Need need = of_published_scheme(scene, "");
       if (!need.called_for) return need;
@@ -43,6 +45,9 @@ const EffectKind pressure_coarse_space{
           "a tenth of the iterations",
           "/numerics/preset", true};
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<PressureCoarseSpace>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<PressureCoarseSpace>(state); },
+    "",
+    {},
+    {.particle = 5}};
 
 }  // namespace rouleau::effects

@@ -146,13 +146,24 @@ class PressureRotational : public Effect {
   std::vector<double> velocity_, gradients_;
 };
 
+/// From runs: with the coarse space neither size nor step matters.
+double particles_times_iterations(const Work& work) {
+  if (!is_open(work.scene.vessel)) return 11 * work.particles;
+  return (work.scene.inflow.profile == Profile::plug ? 14.5 : 12.5) * work.particles;
+}
+
 }  // namespace
 
 const EffectKind pressure_rotational{
-    "pressure_rotational", Stage::pressure, false,
+    "pressure_rotational",
+    Stage::pressure,
+    false,
     [](const Case& scene) {
       return of_accurate_scheme(scene, {true, "plasma is incompressible", "/plasma"});
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<PressureRotational>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<PressureRotational>(state); },
+    "",
+    {},
+    {.particle = 167, .each = 9.7, .count = particles_times_iterations}};
 
 }  // namespace rouleau::effects

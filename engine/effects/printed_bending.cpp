@@ -29,6 +29,8 @@ const EffectKind printed_bending{
                                  needs_cells(scene, "a cell's membrane resists bending: eq. 11 as printed"));
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<PrintedBending>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.membrane_node = 114}};
 
 }  // namespace rouleau::effects

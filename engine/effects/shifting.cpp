@@ -51,8 +51,13 @@ class Shifting : public Effect {
 }  // namespace
 
 const EffectKind shifting{
-    "shifting", Stage::motion, true,
+    "shifting",
+    Stage::motion,
+    true,
     [](const Case& scene) { return of_accurate_scheme(scene, always("particles must stay evenly spread")); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Shifting>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Shifting>(); },
+    "",
+    {},
+    {.particle = 38}};
 
 }  // namespace rouleau::effects

@@ -18,6 +18,8 @@ const EffectKind stretch{"stretch",
                            return std::make_unique<ElasticEnergy>(cells::add_stretch_forces,
                                                                   cells::append_stretch_stiffness);
                          },
-                         CellEffect::rests};
+                         CellEffect::rests,
+                         {},
+                         {.membrane_node = 30}};
 
 }  // namespace rouleau::effects

@@ -88,6 +88,8 @@ const EffectKind thin_cells{
       return need;
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ThinCells>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.membrane_node = 36}};
 
 }  // namespace rouleau::effects

@@ -164,8 +164,13 @@ class Transport : public Effect {
 }  // namespace
 
 const EffectKind transport{
-    "transport", Stage::motion, false,
+    "transport",
+    Stage::motion,
+    false,
     [](const Case& scene) { return of_accurate_scheme(scene, always("velocity and pressure are fields")); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Transport>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<Transport>(); },
+    "",
+    {},
+    {.particle = 94}};
 
 }  // namespace rouleau::effects

@@ -26,8 +26,13 @@ class VelocityCorrection : public Effect {
 }  // namespace
 
 const EffectKind velocity_correction{
-    "velocity_correction", Stage::pressure, false,
+    "velocity_correction",
+    Stage::pressure,
+    false,
     [](const Case& scene) { return of_published_scheme(scene, "pressure drives the plasma: eqs. 3 and 5"); },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<VelocityCorrection>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<VelocityCorrection>(); },
+    "",
+    {},
+    {.particle = 39}};
 
 }  // namespace rouleau::effects

@@ -124,6 +124,8 @@ const EffectKind viscosity_contrast{
       return need;
     },
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityContrast>(); },
-    CellEffect::rests};
+    CellEffect::rests,
+    {},
+    {.particle = 104}};
 
 }  // namespace rouleau::effects

@@ -41,11 +41,16 @@ class ViscositySubsteps : public Effect {
 }  // namespace
 
 const EffectKind viscosity_substeps{
-    "viscosity_substeps", Stage::viscosity, false,
+    "viscosity_substeps",
+    Stage::viscosity,
+    false,
     [](const Case& scene) {
       return of_published_scheme(scene, "plasma is viscous: M = " + std::to_string(scene.numerics.substeps) +
                                             " explicit sub-steps (the study does not print M)");
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<ViscositySubsteps>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<ViscositySubsteps>(state); },
+    "",
+    {},
+    {.each = 18.5, .count = [](const Work& w) { return w.particles * w.scene.numerics.substeps; }}};
 
 }  // namespace rouleau::effects

@@ -49,10 +49,15 @@ class WallClearance : public Effect {
 }  // namespace
 
 const EffectKind wall_clearance{
-    "wall_clearance", Stage::motion, false,
+    "wall_clearance",
+    Stage::motion,
+    false,
     [](const Case& scene) {
       return of_accurate_scheme(scene, {true, "walls hold the fluid", "/vessel"});
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<WallClearance>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<WallClearance>(state); },
+    "",
+    {},
+    {.particle = 5.7, .wall_node = 10}};
 
 }  // namespace rouleau::effects

@@ -26,12 +26,17 @@ class WallEndExclusion : public Effect {
 }  // namespace
 
 const EffectKind wall_end_exclusion{
-    "wall_end_exclusion", Stage::pressure, true,
+    "wall_end_exclusion",
+    Stage::pressure,
+    true,
     [](const Case& scene) {
       return of_published_scheme(scene,
                                  "change to the published scheme: ends of walls and of the inlet have no "
                                  "pressure, since their neighbourhoods are cut off");
     },
-    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<WallEndExclusion>(); }};
+    [](State&) -> std::unique_ptr<Effect> { return std::make_unique<WallEndExclusion>(); },
+    "",
+    {},
+    {.particle = 12.7}};
 
 }  // namespace rouleau::effects

@@ -73,9 +73,13 @@ double speed_bound(const State& state) {
   return fastest * largest_factor(state.scene.inflow) * state.outline.height() / state.outline.narrowest();
 }
 
-const EffectKind watch{
-    "watch", Stage::checks, false,
-    [](const Case&) { return always("a run must stop at the first wrong value"); },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Watch>(state); }};
+const EffectKind watch{"watch",
+                       Stage::checks,
+                       false,
+                       [](const Case&) { return always("a run must stop at the first wrong value"); },
+                       [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Watch>(state); },
+                       "",
+                       {},
+                       {.particle = 23}};
 
 }  // namespace rouleau::effects

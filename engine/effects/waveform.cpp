@@ -21,12 +21,17 @@ class Waveform : public Effect {
 }  // namespace
 
 const EffectKind waveform{
-    "waveform", Stage::boundaries, false,
+    "waveform",
+    Stage::boundaries,
+    false,
     [](const Case& scene) {
       if (!is_open(scene.vessel)) return Need{false, "the vessel has no inlet", "/vessel/ends"};
       const bool given = !scene.inflow.waveform.empty();
       return Need{given, given ? "the inflow changes with time" : "the inflow is steady", "/inflow/waveform"};
     },
-    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Waveform>(state); }};
+    [](State& state) -> std::unique_ptr<Effect> { return std::make_unique<Waveform>(state); },
+    "",
+    {},
+    {.once = 200}};
 
 }  // namespace rouleau::effects

@@ -161,7 +161,8 @@ std::array<FreeLayer, 2> FreeLayers::measure(const effects::State& state) const 
 }
 
 const ObserverKind cell_free_layer{
-    "cell_free_layer", true,
+    "cell_free_layer",
+    true,
     [](const Case& scene) {
       if (scene.vessel.shape == Shape::box)
         return effects::Need{false, "a box has no lower and upper wall along the flow", "/vessel/shape"};
@@ -173,6 +174,8 @@ const ObserverKind cell_free_layer{
     },
     [](const Case&) {
       return std::vector<Column>{{"cell_free_layer.lower", "m"}, {"cell_free_layer.upper", "m"}};
-    }};
+    },
+    {},
+    {.step = {.membrane_node = 30}}};
 
 }  // namespace rouleau::observe

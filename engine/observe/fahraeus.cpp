@@ -89,7 +89,8 @@ double fahraeus_ratio_of_tubes(double diameter, double discharge_hematocrit) {
 }
 
 const ObserverKind fahraeus{
-    "fahraeus", true,
+    "fahraeus",
+    true,
     [](const Case& scene) {
       if (scene.vessel.shape != Shape::straight)
         return effects::Need{false, "only a straight vessel has one flow that cells are carried by",
@@ -105,6 +106,8 @@ const ObserverKind fahraeus{
     [](const Case&) {
       return std::vector<Column>{
           {"fahraeus.tube_hematocrit", "1"}, {"fahraeus.discharge_hematocrit", "1"}, {"fahraeus.ratio", "1"}};
-    }};
+    },
+    {},
+    {.step = {.particle = 1}}};
 
 }  // namespace rouleau::observe

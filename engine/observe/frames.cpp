@@ -87,14 +87,16 @@ void draw_particles(const effects::State& state, Frame& frame) {
 }
 
 const ObserverKind frames{
-    "frames", false,
+    "frames",
+    false,
     [](const Case& scene) {
       const bool asked = scene.output.frame_interval > 0;
       return effects::Need{asked, asked ? "frames of all particles are asked for" : "no frames are asked for",
                            "/output/frame_interval"};
     },
-    [](const State&, const CellFreeFlow&) -> std::unique_ptr<Observer> {
-      return std::make_unique<Frames>();
-    }};
+    [](const State&, const CellFreeFlow&) -> std::unique_ptr<Observer> { return std::make_unique<Frames>(); },
+    nullptr,
+    {},
+    {.frame = {.particle = 620}}};
 
 }  // namespace rouleau::observe

@@ -111,6 +111,7 @@ const ObserverKind hemolysis{
     [](const Case& scene) { return columns_of_cells(scene, cell_columns); },
     {{"factor", "1", "C of the law: the index, a fraction, after 1 s at 1 Pa", 3.62e-7, 0, 1},
      {"stress_exponent", "1", "alpha of the law", 2.416, 0.1, 10},
-     {"time_exponent", "1", "beta of the law", 0.785, 0.1, 10}}};
+     {"time_exponent", "1", "beta of the law", 0.785, 0.1, 10}},
+    {.step = {.membrane_node = 300}}};
 
 }  // namespace rouleau::observe

@@ -157,7 +157,9 @@ std::vector<double> pressure_by_cells(const State& state, const UnitFlow& unit) 
 }
 
 const ObserverKind hydraulic_resistance{
-    "hydraulic_resistance", true, need_of,
+    "hydraulic_resistance",
+    true,
+    need_of,
     [](const State& start, const CellFreeFlow& cell_free) -> std::unique_ptr<Observer> {
       return std::make_unique<HydraulicResistance>(start, cell_free);
     },
@@ -166,6 +168,8 @@ const ObserverKind hydraulic_resistance{
           {"resistance", "Pa s/m2"}, {"resistance_free", "Pa s/m2"}, {"resistance_unaccounted", "Pa s/m2"}};
       for (Column& column : columns_of_cells(scene, cell_columns)) columns.push_back(std::move(column));
       return columns;
-    }};
+    },
+    {},
+    {.start = {.particle = 13000}, .step = {.particle = 5}}};
 
 }  // namespace rouleau::observe

@@ -139,6 +139,7 @@ const ObserverKind membrane_maps{
      {"tension_threshold", "N/m",
       "tension above which a link counts; 0.01 is the tension at which red cells burst (Evans, Waugh and "
       "Melnik 1976)",
-      0.01, 0, 10}}};
+      0.01, 0, 10}},
+    {.step = {.membrane_node = 40}}};
 
 }  // namespace rouleau::observe

@@ -34,6 +34,14 @@ class Observer {
 /// Gives the settled flow of the same vessel without its cells. It takes as long as a run's start.
 using CellFreeFlow = std::function<std::unique_ptr<const effects::State>()>;
 
+/// What an observer takes.
+struct ObserverCost {
+  effects::Cost start{};  ///< once
+  effects::Cost step{};   ///< to follow it
+  effects::Cost row{};    ///< of the series
+  effects::Cost frame{};  ///< with its way into the archive
+};
+
 /// What the catalogue knows of an observer. It stands beside the observer's code.
 struct ObserverKind {
   std::string_view name;
@@ -43,6 +51,7 @@ struct ObserverKind {
   /// Of the series; none: it has none.
   std::vector<Column> (*columns)(const Case& scene) = nullptr;
   std::vector<effects::Parameter> parameters = {};
+  ObserverCost cost = {};
 };
 
 /// Every observer there is, in the order of their columns.

@@ -72,13 +72,19 @@ std::vector<ProbeValues> Probes::values(const effects::State& state) const {
 }
 
 const ObserverKind probes{
-    "probes", false,
+    "probes",
+    false,
     [](const Case& scene) {
       const bool asked = !scene.probes.empty();
       return effects::Need{asked, asked ? "the case has probes" : "the case has no probes", "/probes"};
     },
     [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
       return std::make_unique<Probes>(start);
-    }};
+    },
+    nullptr,
+    {},
+    {.row = {.each = 85, .count = [](const effects::Work& w) {
+               return w.particles * static_cast<double>(w.scene.probes.size());
+             }}}};
 
 }  // namespace rouleau::observe

@@ -119,7 +119,8 @@ std::vector<double> series_row(const effects::State& state, const FlowPlanes& pl
   return row;
 }
 
-const ObserverKind series{"series", false,
+const ObserverKind series{"series",
+                          false,
                           [](const Case& scene) {
                             const bool asked = scene.output.series_interval > 0;
                             return effects::Need{
@@ -129,6 +130,8 @@ const ObserverKind series{"series", false,
                           [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
                             return std::make_unique<Series>(start);
                           },
-                          series_columns};
+                          series_columns,
+                          {},
+                          {.row = {.once = 2e5, .particle = 40}}};
 
 }  // namespace rouleau::observe

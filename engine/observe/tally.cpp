@@ -100,12 +100,16 @@ void Tally::report(RunSummary& summary) const {
 }
 
 const ObserverKind run_summary{
-    "summary", false,
+    "summary",
+    false,
     [](const Case&) {
       return effects::always("the summary says what became of the cells and what was conserved");
     },
     [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
       return std::make_unique<Tally>(start);
-    }};
+    },
+    nullptr,
+    {},
+    {.step = {.each = 2100, .count = [](const effects::Work& w) { return w.inlet_rows + w.outlet_rows; }}}};
 
 }  // namespace rouleau::observe

@@ -150,7 +150,8 @@ std::vector<float> WallShear::stress(const effects::State& state) const {
 }
 
 const ObserverKind wall_shear_stress{
-    "wall_shear_stress", false,
+    "wall_shear_stress",
+    false,
     [](const Case& scene) {
       if (scene.output.frame_interval <= 0) {
         return effects::Need{false, "no frames are asked for", "/output/frame_interval"};
@@ -161,6 +162,9 @@ const ObserverKind wall_shear_stress{
     },
     [](const effects::State& start, const CellFreeFlow&) -> std::unique_ptr<Observer> {
       return std::make_unique<WallShear>(start);
-    }};
+    },
+    nullptr,
+    {},
+    {.frame = {.wall_node = 500}}};
 
 }  // namespace rouleau::observe

@@ -12,6 +12,7 @@
 #include "engine/case/waveform.h"
 #include "engine/effects/effect.h"
 #include "engine/observe/observer.h"
+#include "engine/plan/expected_spans.h"
 
 namespace rouleau {
 
@@ -29,18 +30,20 @@ struct Candidate {
   effects::Need (*need)(const Case& scene);
   std::string_view rests;
   const std::vector<effects::Parameter>* parameters;
+  const effects::EffectKind* effect = nullptr;  ///< one of the two
+  const observe::ObserverKind* observer = nullptr;
 };
 
 const std::vector<Candidate>& candidates() {
   static const std::vector<Candidate> all = [] {
     std::vector<Candidate> found;
     for (const effects::EffectKind* kind : effects::catalogue()) {
-      found.push_back(
-          {kind->name, name_of(kind->stage), kind->optional, kind->need, kind->rests, &kind->parameters});
+      found.push_back({kind->name, name_of(kind->stage), kind->optional, kind->need, kind->rests,
+                       &kind->parameters, kind});
     }
     for (const observe::ObserverKind* kind : observe::catalogue()) {
       found.push_back({kind->name, name_of(effects::Stage::observers), kind->optional, kind->need, "",
-                       &kind->parameters});
+                       &kind->parameters, nullptr, kind});
     }
     return found;
   }();
@@ -123,6 +126,36 @@ double fastest_expected(const effects::State& state) {
   return 1.5 * largest_factor(state.scene.inflow) * state.outline.height() / state.outline.narrowest();
 }
 
+double expected_time(const Candidate& one, const ExpectedSpan& span) {
+  return one.effect != nullptr ? expected_time(*one.effect, span.rounds, span.work)
+                               : expected_time(*one.observer, span.rounds, span.work);
+}
+
+/// Shares, time and memory.
+void expect_cost(const std::vector<ExpectedSpan>& spans, Plan& plan) {
+  const ExpectedSpan& first = spans.front();
+  double of_effects = 0, of_run = 0, of_step = 0;
+  for (std::size_t k = 0; k < plan.effects.size(); ++k) {
+    PlannedEffect& planned = plan.effects[k];
+    if (!planned.on) continue;
+    const Candidate& one = candidates()[k];
+    for (const ExpectedSpan& span : spans) planned.share += expected_time(one, span);
+    of_effects += planned.share;
+    of_step +=
+        effects::cost_of(one.effect != nullptr ? one.effect->cost : one.observer->cost.step, first.work);
+  }
+  for (PlannedEffect& planned : plan.effects) planned.share /= of_effects;
+  for (const ExpectedSpan& span : spans) {
+    plan.expected_steps += span.rounds.steps;
+    of_run += expected_time_of_steps(span);
+  }
+  const double ns = 1e-9;
+  plan.step_time =
+      ns * (of_step + expected_time_of_steps(first) / (first.rounds.steps + first.rounds.settling));
+  plan.wall_time = (starting_time + ns * (of_effects + of_run)) * plan.machine.slowness;
+  plan.memory = expected_memory(spans);
+}
+
 }  // namespace
 
 bool runs(const Plan& plan, std::string_view name) {
@@ -156,12 +189,13 @@ void check_effects(Case& scene, std::vector<Fault>& faults) {
   }
 }
 
-Plan make_plan(const Case& scene) {
+Plan make_plan(const Case& scene, const Machine& machine) {
   std::vector<Fault> faults;
   Case checked = scene;
   check_effects(checked, faults);
   if (!faults.empty()) throw CaseError(std::move(faults));
   Plan plan;
+  plan.machine = machine;
   for (const Candidate& one : candidates()) plan.effects.push_back(plan_effect(one, scene));
 
   const double diameter = scene.vessel.diameter;
@@ -172,7 +206,9 @@ Plan make_plan(const Case& scene) {
   plan.particles = count_particles(state, nodes);
   plan.membrane_nodes = count_membrane_nodes(scene, plan.spacing);
 
-  double step = courant * plan.spacing / (fastest_expected(state) * state.scales.velocity);
+  const double fastest = fastest_expected(state) * state.scales.velocity;
+  const double usual_step = courant * plan.spacing / fastest;
+  double step = usual_step;
   plan.limited_by = "flow: the fastest fluid may move a fifth of the spacing in a step";
   if (scene.numerics.time_step) {
     step = *scene.numerics.time_step;
@@ -180,6 +216,12 @@ Plan make_plan(const Case& scene) {
   }
   plan.steps = static_cast<long>(std::ceil(scene.duration / step * (1 - 1e-9)));
   plan.time_step = scene.duration / static_cast<double>(plan.steps);
+
+  const StartCounts counts{static_cast<double>(plan.particles), static_cast<double>(plan.membrane_nodes),
+                           static_cast<double>(plan.wall_nodes)};
+  const auto spans = expected_spans(state, counts, plan.spacing, plan.time_step, fastest);
+  expect_cost(spans, plan);
+  plan.expected_error = expect_error(state, spans.back().spacing, spans.front().step, usual_step);
   return plan;
 }
 
@@ -191,7 +233,8 @@ nlohmann::json to_json(const Plan& plan) {
                        {"on", e.on},
                        {"reason", e.reason},
                        {"pointer", e.pointer},
-                       {"rests", e.rests}});
+                       {"rests", e.rests},
+                       {"share", e.share}});
   }
   return {{"effects", effects},
           {"spacing", plan.spacing},
@@ -200,7 +243,15 @@ nlohmann::json to_json(const Plan& plan) {
           {"membrane_nodes", plan.membrane_nodes},
           {"time_step", plan.time_step},
           {"limited_by", plan.limited_by},
-          {"steps", plan.steps}};
+          {"steps", plan.steps},
+          {"expected_steps", std::llround(plan.expected_steps)},
+          {"memory_bytes", std::llround(plan.memory)},
+          {"wall_time_s", plan.wall_time},
+          {"machine", {{"slowness", plan.machine.slowness}, {"measured", plan.machine.measured}}},
+          {"expected_error",
+           {{"velocity", plan.expected_error.velocity},
+            {"tau", plan.expected_error.tau ? nlohmann::json(*plan.expected_error.tau) : nlohmann::json()},
+            {"is", expected_error_is}}}};
 }
 
 }  // namespace rouleau

@@ -8,6 +8,8 @@
 
 #include "engine/case/case.h"
 #include "engine/case/case_error.h"
+#include "engine/plan/expected_error.h"
+#include "engine/plan/machine.h"
 
 namespace rouleau {
 
@@ -19,6 +21,7 @@ struct PlannedEffect {
   std::string reason;   ///< a sentence for a person
   std::string pointer;  ///< JSON Pointer to the part of the case that decided, "" if none did
   std::string rests;    ///< when it sleeps inside a run, as a part of a sentence; "" if never
+  double share = 0;     ///< of the time that all of them together are expected to take; 0 where it is off
 };
 
 /// What will run, known before anything runs.
@@ -31,6 +34,12 @@ struct Plan {
   double time_step = 0;    ///< s
   std::string limited_by;  ///< what holds the time step there
   long steps = 0;
+  double expected_steps = 0;  ///< with those that are foreseen to be taken smaller, or again
+  double step_time = 0;       ///< of a step at the start, s, on the machine to which costs refer
+  double wall_time = 0;       ///< of the run, s, on the machine that the plan is for, with nothing else to do
+  double memory = 0;          ///< of a process that runs it and writes its archive, bytes
+  ExpectedError expected_error;
+  Machine machine;
 };
 
 /// Whether the plan runs an effect or observer.
@@ -43,7 +52,7 @@ bool runs(const Plan& plan, std::string_view name);
 void check_effects(Case& resolved, std::vector<Fault>& faults);
 
 /// @throws CaseError where `effects` asks for what the scene cannot carry, or leaves out what it needs
-Plan make_plan(const Case& resolved);
+Plan make_plan(const Case& resolved, const Machine& machine = {});
 
 nlohmann::json to_json(const Plan& plan);
 

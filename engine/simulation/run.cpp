@@ -49,11 +49,11 @@ class Schedule {
   long count_ = 0;
 };
 
-RunHeader header_of(const Simulation& simulation, const Observers& observers) {
+RunHeader header_of(const Simulation& simulation, const Observers& observers, const Machine& machine) {
   const effects::State& state = simulation.state();
   RunHeader header{observers.recorded(state.scene), {}, {}, {}, 0};
   header.resolved = state.scene;
-  header.plan = simulation.plan();
+  header.plan = make_plan(state.scene, machine);
   for (const effects::CellState& cell : state.cells) header.nodes_per_cell.push_back(cell.nodes);
   header.capacity = state.particles.active_end() * 5 / 4 + 64;
   return header;
@@ -124,14 +124,14 @@ RunSummary summarise(const Simulation& simulation, const Observers& observers, E
 /// A simulation with all that looks at it, from its start or a checkpoint on.
 class Run {
  public:
-  Run(const Case& resolved, Output& output, const Continuation& continuation)
+  Run(const Case& resolved, Output& output, const Continuation& continuation, const Machine& machine)
       : simulation_(resolved),
         observers_(simulation_.plan(), simulation_.state(), [&] { return cell_free_flow(resolved); }),
         series_(resolved.output.series_interval),
         frames_(resolved.output.frame_interval),
         checkpoint_interval_(continuation.interval),
         output_(output) {
-    const RunHeader header = header_of(simulation_, observers_);
+    const RunHeader header = header_of(simulation_, observers_, machine);
     if (continuation.from) restore(*continuation.from);
     output_.begin(header);
     told_ = saved_ = Clock::now();
@@ -238,8 +238,8 @@ const char* engine_version() {
 }
 
 RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop,
-                    const Continuation& continuation) {
-  Run run(resolved, output, continuation);
+                    const Continuation& continuation, const Machine& machine) {
+  Run run(resolved, output, continuation, machine);
   return run.to_the_end(stop);
 }
 

@@ -23,10 +23,11 @@ struct Continuation {
 
 /// Runs a case from start to end, delivering to `output`. However often it is interrupted and taken up again,
 /// what it delivers is the same to the last bit, but for the wall time spent.
+/// @param machine  for the plan that it delivers
 /// @throws CaseError if the case cannot be planned or a cell has no rest shape, RunFailure (a
 /// SimulationError) if the run goes unstable, CheckpointError if it cannot go on from the checkpoint given
 RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop = {},
-                    const Continuation& continuation = {});
+                    const Continuation& continuation = {}, const Machine& machine = {});
 
 nlohmann::json to_json(const RunSummary& summary);
 

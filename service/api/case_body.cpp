@@ -15,11 +15,11 @@ nlohmann::json read_body(const std::string& body) {
   }
 }
 
-PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer) {
+PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer, KnownMachine* machine) {
   try {
     PlannedCase planned;
     planned.resolved = read_case(document, check_effects);
-    planned.plan = make_plan(planned.resolved);
+    planned.plan = make_plan(planned.resolved, machine != nullptr ? machine->get() : Machine{});
     return planned;
   } catch (const CaseError& error) {
     std::vector<Fault> faults = error.faults();

@@ -6,6 +6,7 @@
 
 #include "engine/plan/plan.h"
 #include "service/http/problem.h"
+#include "service/known_machine.h"
 
 namespace rouleau::service {
 
@@ -18,10 +19,11 @@ struct PlannedCase {
   Plan plan;
 };
 
-/// Reads and plans a case.
+/// Reads and plans a case, for the machine if one is given.
 /// @param pointer  where the case stands in the body; stands before the pointer of every fault
 /// @throws Problem 422 invalid-case with every fault
-PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer);
+PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer,
+                      KnownMachine* machine = nullptr);
 
 /// The hash under which a case is known: of its resolved form.
 std::string case_hash(const Case& resolved);

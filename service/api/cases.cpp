@@ -7,13 +7,19 @@
 
 namespace rouleau::service {
 
-void add_cases(Router& router) {
+void add_cases(Router& router, Service& service) {
   router.add(
       "POST", "/v1/cases:validate",
       [](const Call& call, httplib::Response& response) {
         const PlannedCase planned = plan_case(read_body(call.request.body), "");
         answer_json({{"case", to_json(planned.resolved)}, {"case_hash", case_hash(planned.resolved)}},
                     response);
+      },
+      Body::json);
+  router.add(
+      "POST", "/v1/cases:plan",
+      [&service](const Call& call, httplib::Response& response) {
+        answer_json(to_json(plan_case(read_body(call.request.body), "", &service.machine).plan), response);
       },
       Body::json);
   router.add("GET", "/v1/schema/case.json", [](const Call&, httplib::Response& response) {

@@ -26,7 +26,7 @@ void submit(Service& service, const Call& call, httplib::Response& response) {
   if (service.draining)
     throw Problem(problems::draining, "no new jobs are taken while the server shuts down");
   check_query(call, {});
-  const storage::Job job = store(service, read_new_job(call.request.body));
+  const storage::Job job = store(service, read_new_job(call.request.body, service.machine));
   service.queue.wake();
   log::info("job accepted", {{"request", call.request_id}, {"job", job.id}, {"name", job.name}});
   response.set_header("Location", "/v1/jobs/" + job.id);

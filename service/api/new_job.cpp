@@ -49,7 +49,7 @@ void read_labels(const nlohmann::json& value, storage::NewJob& job, std::vector<
 
 }  // namespace
 
-storage::NewJob read_new_job(const std::string& body) {
+storage::NewJob read_new_job(const std::string& body, KnownMachine& machine) {
   const nlohmann::json document = read_body(body);
   if (!document.is_object())
     throw Problem(problems::invalid_request, "the body must be an object", {{"", "must be an object"}});
@@ -70,7 +70,7 @@ storage::NewJob read_new_job(const std::string& body) {
     throw Problem(problems::invalid_request, "the body is not a job", std::move(faults));
   }
   try {
-    const PlannedCase planned = plan_case(document["case"], "/case");
+    const PlannedCase planned = plan_case(document["case"], "/case", &machine);
     job.name = planned.resolved.name;
     job.case_given = document["case"].dump();
     job.case_resolved = to_json(planned.resolved).dump();

@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "service/http/router.h"
+#include "service/known_machine.h"
 #include "service/queue/queue.h"
 #include "storage/job_store.h"
 
@@ -15,6 +16,7 @@ struct Service {
   storage::JobStore& store;
   Queue& queue;
   std::atomic<bool>& draining;
+  KnownMachine& machine;
   std::atomic<int> waiting = 0;  ///< requests that wait for a change
 };
 
@@ -25,7 +27,7 @@ void add_series(Router& router, Service& service);   ///< /v1/jobs/{id}/series
 void add_frames(Router& router, Service& service);   ///< /v1/jobs/{id}/frames
 void add_probes(Router& router, Service& service);   ///< /v1/jobs/{id}/probes
 void add_archive(Router& router, Service& service);  ///< /v1/jobs/{id}/archive.h5
-void add_cases(Router& router);                      ///< /v1/cases:validate, /v1/schema/case.json
+void add_cases(Router& router, Service& service);    ///< /v1/cases:validate, :plan, /v1/schema/case.json
 void add_problems(Router& router);                   ///< /problems/{name}
 void add_openapi(Router& router);                    ///< /openapi.json
 void add_health(Router& router, const std::atomic<bool>& draining);  ///< /livez, /readyz

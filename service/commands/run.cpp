@@ -19,6 +19,7 @@
 #include "service/commands/run_summary_text.h"
 #include "service/http/problem.h"
 #include "service/interrupt.h"
+#include "service/known_machine.h"
 #include "service/queue/failure.h"
 #include "service/queue/fan_out.h"
 #include "storage/archive_writer.h"
@@ -69,7 +70,8 @@ RunSummary run_on(const Case& resolved, const Options& options, const std::files
   }
   FanOut output(outputs);
   return run_case(resolved, output, stop,
-                  {interrupted ? &interrupted->checkpoint : nullptr, options.checkpoint_interval});
+                  {interrupted ? &interrupted->checkpoint : nullptr, options.checkpoint_interval},
+                  KnownMachine(data_folder()).known());
 }
 
 int run(const Options& options, bool json) {

@@ -1,26 +1,14 @@
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 #include <thread>
 
 #include "service/commands/command.h"
 #include "service/http/access.h"
+#include "service/known_machine.h"
 #include "service/log.h"
 #include "service/server.h"
 
 namespace rouleau::service {
-
-namespace {
-
-std::filesystem::path default_data_folder() {
-  if (const char* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
-    return std::filesystem::path(data) / "rouleau";
-  }
-  const char* const home = std::getenv("HOME");
-  return std::filesystem::path(home == nullptr ? "." : home) / ".local/share/rouleau";
-}
-
-}  // namespace
 
 void add_serve(CLI::App& app, Action& action) {
   auto* const command = app.add_subcommand("serve", "Run the service: HTTP API, queue, workers and web page");

@@ -36,12 +36,13 @@ void remove_unfinished_archives(const std::filesystem::path& archives) {
 }
 
 Attempt::Attempt(storage::JobStore& store, LiveJobs& live, const std::filesystem::path& archives,
-                 storage::ClaimedJob claimed)
+                 KnownMachine& machine, storage::ClaimedJob claimed)
     : store_(store),
       live_jobs_(live),
       claimed_(std::move(claimed)),
       live_(live.start(claimed_.job.id, claimed_.job.attempt)),
-      archive_(archive_path(archives, claimed_.job.id)) {}
+      archive_(archive_path(archives, claimed_.job.id)),
+      machine_(machine) {}
 
 void Attempt::run() {
   log::info("job started", {{"job", live_->id()}, {"attempt", std::to_string(live_->attempt())}});
@@ -67,7 +68,7 @@ void Attempt::compute() {
   storage::ArchiveWriter writer(archive_, claimed_.text.given);
   FanOut output({&writer, live_.get()});
   try {
-    const RunSummary summary = run_case(resolved, output, live_->stop_token());
+    const RunSummary summary = run_case(resolved, output, live_->stop_token(), {}, machine_.known());
     if (summary.ending == Ending::stopped) {
       end_stopped();
     } else {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "engine/simulation/run_failure.h"
+#include "service/known_machine.h"
 #include "service/queue/live_jobs.h"
 #include "storage/archive_writer.h"
 #include "storage/job_store.h"
@@ -30,7 +31,7 @@ void remove_unfinished_archives(const std::filesystem::path& archives);
 class Attempt {
  public:
   Attempt(storage::JobStore& store, LiveJobs& live, const std::filesystem::path& archives,
-          storage::ClaimedJob claimed);
+          KnownMachine& machine, storage::ClaimedJob claimed);
 
   void run();
 
@@ -48,6 +49,7 @@ class Attempt {
   storage::ClaimedJob claimed_;
   std::shared_ptr<LiveJob> live_;
   std::filesystem::path archive_;
+  KnownMachine& machine_;
   bool has_archive_ = false;
 };
 

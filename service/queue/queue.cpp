@@ -22,8 +22,8 @@ constexpr std::chrono::seconds idle_interval{1};
 
 }  // namespace
 
-Queue::Queue(storage::JobStore& store, std::filesystem::path archives)
-    : store_(store), archives_(std::move(archives)), owner_("local-" + new_request_id()) {
+Queue::Queue(storage::JobStore& store, std::filesystem::path archives, KnownMachine& machine)
+    : store_(store), archives_(std::move(archives)), machine_(machine), owner_("local-" + new_request_id()) {
   std::filesystem::create_directories(archives_);
 }
 
@@ -92,7 +92,7 @@ bool Queue::work_once() {
   auto claimed = store_.claim(owner_, lease_time);
   if (!claimed) return false;
   changes_.announce();
-  Attempt attempt(store_, live_, archives_, std::move(*claimed));
+  Attempt attempt(store_, live_, archives_, machine_, std::move(*claimed));
   {
     // A drain that began between the claim and here has not seen this job.
     const std::lock_guard lock(mutex_);

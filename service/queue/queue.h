@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "service/known_machine.h"
 #include "service/queue/live_jobs.h"
 #include "service/queue/signal_board.h"
 #include "storage/job_store.h"
@@ -19,7 +20,8 @@ namespace rouleau::service {
 class Queue {
  public:
   /// @param archives folder for the archives; made if it is not there
-  Queue(storage::JobStore& store, std::filesystem::path archives);
+  /// @param machine  that the plans in the archives are for
+  Queue(storage::JobStore& store, std::filesystem::path archives, KnownMachine& machine);
   /// Drains.
   ~Queue();
   Queue(const Queue&) = delete;
@@ -49,6 +51,7 @@ class Queue {
 
   storage::JobStore& store_;
   const std::filesystem::path archives_;
+  KnownMachine& machine_;
   const std::string owner_;
   LiveJobs live_;
   SignalBoard changes_;

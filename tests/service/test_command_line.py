@@ -1,6 +1,8 @@
 """The program as people and scripts call it."""
 
+import io
 import json
+import os
 import signal
 import subprocess
 import time
@@ -13,8 +15,9 @@ from rouleau_server import endless, plasma, unstable
 @pytest.fixture
 def call(server, tmp_path):
     def run(*arguments, timeout=60):
+        kept = {name: os.environ[name] for name in ("ROULEAU_MACHINE",) if name in os.environ}
         return subprocess.run([server.binary, *map(str, arguments)], cwd=tmp_path, capture_output=True, text=True,
-                              timeout=timeout, env={"ROULEAU_SERVER": server.url, "PATH": "/usr/bin"})
+                              timeout=timeout, env={"ROULEAU_SERVER": server.url, "PATH": "/usr/bin", **kept})
     return run
 
 
@@ -74,7 +77,35 @@ def test_plan(call, write_case):
     plan = json.loads(done.stdout)
     assert done.returncode == 0 and plan["particles"] > 100
     assert {effect["name"] for effect in plan["effects"] if effect["on"]} >= {"pressure_rotational"}
-    assert "pressure_rotational" in call("plan", write_case(plasma())).stdout
+    assert sum(effect["share"] for effect in plan["effects"]) == pytest.approx(1)
+    assert plan["wall_time_s"] > 0 and plan["machine"]["measured"] and plan["expected_error"]["tau"] is None
+    told = call("plan", write_case(plasma()))
+    assert "pressure_rotational" in told.stdout and "the scene has no cells (/cells):" in told.stdout
+
+
+def test_the_service_plans_as_the_command_line_does(server, call, write_case):
+    told = json.loads(call("plan", "--json", "--data", str(server.data), write_case(plasma())).stdout)
+    answer = server.request("POST", "/v1/cases:plan", plasma())
+    assert (answer.status, answer.json()) == (200, told)
+    job = server.submit(plasma())
+    assert server.job(job)["plan"] == told
+    server.wait(job)
+    with h5py.File(io.BytesIO(server.get(f"/v1/jobs/{job}/archive.h5").body)) as archive:
+        assert json.loads(archive["parameters/plan"][()]) == told
+
+
+def test_the_machine_is_measured_once_and_again_when_asked(call, write_case, tmp_path, monkeypatch):
+    monkeypatch.delenv("ROULEAU_MACHINE", raising=False)
+    kept = tmp_path / "data/machine.json"
+    first = call("plan", "--json", "--data", "data", write_case(plasma()))
+    assert "measuring" in first.stderr and json.loads(kept.read_text())["slowness"] > 0
+    again = call("plan", "--json", "--data", "data", write_case(plasma()))
+    assert again.stderr == "" and again.stdout == first.stdout
+    kept.write_text(json.dumps(json.loads(kept.read_text()) | {"processor": "another"}))
+    assert "measuring" in call("plan", "--data", "data", write_case(plasma())).stderr
+    assert "measuring" in call("plan", "--data", "data", "--calibrate", write_case(plasma())).stderr
+    kept.write_text("{")
+    assert call("plan", "--data", "data", write_case(plasma())).returncode == 0
 
 
 def test_run_and_series(call, write_case, tmp_path):

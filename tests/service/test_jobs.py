@@ -202,6 +202,7 @@ def test_validation(server):
     job = server.job(server.submit(plasma()))
     assert answer.json()["case_hash"] == job["case_hash"]
     server.wait(job["id"])
+    assert server.request("POST", "/v1/cases:plan", plasma(duration=-1)).status == 422
     answer = server.request("POST", "/v1/cases:validate", plasma(duration=-1))
     assert answer.status == 422 and answer.json()["errors"][0]["pointer"] == "/duration"
 

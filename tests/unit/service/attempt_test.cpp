@@ -48,7 +48,7 @@ class AttemptAtAJob : public testing::Test {
     job.plan = "{}";
     return store_->submit(job).id;
   }
-  Attempt begin() { return {*store_, live_, archives_, store_->claim("test", lease_time).value()}; }
+  Attempt begin() { return {*store_, live_, archives_, machine_, store_->claim("test", lease_time).value()}; }
   storage::Job job() { return store_->find(id_).value(); }
   bool has_files() const { return !std::filesystem::is_empty(archives_); }
 
@@ -57,6 +57,7 @@ class AttemptAtAJob : public testing::Test {
       (std::string("attempt_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   std::filesystem::path archives_ = folder_ / "archives";
   std::optional<storage::JobStore> store_;
+  KnownMachine machine_{folder_};
   LiveJobs live_;
   std::string id_;
 };

@@ -71,9 +71,10 @@ TEST(Jobs, AreNotTakenWhileDraining) {
   std::filesystem::remove_all(folder);
   {
     storage::JobStore store(folder);
-    Queue queue(store, folder / "archives");
+    KnownMachine machine(folder);
+    Queue queue(store, folder / "archives", machine);
     std::atomic<bool> draining = true;
-    Service service{store, queue, draining};
+    Service service{store, queue, draining, machine};
     Router router;
     add_jobs(router, service);
     const Listening server(std::move(router));
