@@ -34,7 +34,7 @@ def test_help():
     assert result.stdout.startswith("usage: deploy/reproduce")
 
 
-@pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"], ["stability", "--slow"]])
+@pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"], ["stability", "--slow"], ["plan", "--slow"]])
 def test_what_is_unknown_is_refused(arguments):
     result = reproduce(*arguments)
     assert result.returncode == 2
@@ -86,7 +86,27 @@ class TestStability:
         assert stability(tmp_path, "--draw") == again
 
 
-@pytest.mark.parametrize("name", ["accuracy", "stability"])
+@pytest.mark.skipif("ROULEAU_BINARY" not in os.environ, reason="run by CTest, which knows the program")
+class TestPlan:
+    def test_an_unknown_scene_is_named(self, tmp_path):
+        result = reproduce("plan", "--out", str(tmp_path), "waterfall")
+        assert result.returncode == 1
+        assert "no scene is called waterfall; there are: plasma_8um, " in result.stderr
+
+    def test_runs_become_a_page_beside_their_plans(self, tmp_path):
+        files = page("plan", tmp_path, "--quick", "--calibration", "couette", "driven_at_once")
+        assert set(files) == {"plan.md", "plan.jsonl"}
+        runs = [json.loads(line) for line in files["plan.jsonl"].splitlines()]
+        assert [(run["scene"], run["set"]) for run in runs] == [
+            ("couette", "calibration"), ("driven_at_once", "calibration")]
+        for run in runs:
+            expected, took = run["run"]["expected"], run["run"]
+            assert expected["wall_time_s"] > 0 and took["peak_memory"] > 1e7
+            assert abs(took["steps"] - expected["expected_steps"]) < 20
+            assert f"| `{run['scene']}` | {expected['particles']} | " in files["plan.md"].decode()
+
+
+@pytest.mark.parametrize("name", ["accuracy", "stability", "plan"])
 def test_the_page_is_that_of_the_runs_kept_with_it(tmp_path, name):
     (tmp_path / f"{name}.jsonl").write_bytes((ROOT / f"docs/{name}.jsonl").read_bytes())
     drawn = page(name, tmp_path, "--draw")
