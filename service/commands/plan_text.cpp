@@ -88,13 +88,13 @@ std::string percent(double share) {
 
 std::string describe_numbers(const Plan& plan) {
   std::string text =
-      fmt::format("\nparticles       {} with {} membrane nodes; {} wall nodes; {:.4g} um apart\n",
+      fmt::format("\nparticles       {}, {} of them membrane nodes; {} wall nodes; {:.4g} um apart\n",
                   plan.particles, plan.membrane_nodes, plan.wall_nodes, 1e6 * plan.spacing);
-  text += fmt::format("time step       {:.4g} us, {} steps; limited by {}\n", 1e6 * plan.time_step,
-                      plan.steps, plan.limited_by);
+  text += fmt::format("time step       {:.4g} us, {} steps ({})\n", 1e6 * plan.time_step, plan.steps,
+                      plan.limited_by);
   const long expected = std::lround(plan.expected_steps);
   if (expected > plan.steps + plan.steps / 50) {
-    text += fmt::format("                some {} steps with those that will be shorter or taken again\n",
+    text += fmt::format("                some {} steps, as part of them will be shorter or taken again\n",
                         expected);
   }
   text += fmt::format("memory          {:.0f} MB\n", plan.memory / 1e6);
@@ -107,7 +107,9 @@ std::string describe_numbers(const Plan& plan) {
   text += fmt::format("time            {} on {}\n", time, machine);
   text += fmt::format("expected error  velocity {}", percent(plan.expected_error.velocity));
   if (plan.expected_error.tau) text += fmt::format(", tau {}", percent(*plan.expected_error.tau));
-  return text + fmt::format("\n{:16}{}\n", "", expected_error_is);
+  return text +
+         "\n                root mean square difference from a run with half of the spacing and step:"
+         "\n                velocity at the end, tau over the run\n";
 }
 
 }  // namespace
