@@ -27,10 +27,8 @@ def branching(trunk, lower, upper, duration, **parts):
                      {"length": upper_length * UM, "diameter": upper_diameter * UM}]}}
 
 
-def box(width, height, duration, ends="closed", wall_velocity=None, **parts):
-    vessel = {"shape": "box", "width": width * UM, "height": height * UM, "ends": ends}
-    if wall_velocity:
-        vessel["wall_velocity"] = wall_velocity
+def box(width, height, duration, **parts):
+    vessel = {"shape": "box", "width": width * UM, "height": height * UM, "ends": "periodic"}
     return scene(width, height, duration, **parts) | {"vessel": vessel}
 
 
@@ -50,9 +48,8 @@ CALIBRATION = {
     "driven": scene(30, 10, 1e-4, vessel=PERIODIC, body_acceleration=[600, 0], numerics={"time_step": 5e-7}),
     "driven_at_once": scene(30, 10, 5e-5, vessel=PERIODIC, body_acceleration=[600, 0]),
     "couette": scene(30, 10, 1.5e-4, vessel=shear(0.005), numerics={"time_step": 1e-6}),
-    "vortices": box(50, 50, 1e-4, ends="periodic", numerics={"spacing": 1e-6},
+    "vortices": box(50, 50, 1e-4, numerics={"spacing": 1e-6},
                     initial={"flow": "taylor_green", "velocity": 0.1}),
-    "cavity": box(20, 20, 4e-4, wall_velocity={"upper": 0.1}),
     "bump_2": scene(80, 10, 2e-3, inflow=PARABOLIC, thrombi=[bump(40, 2)]),
     "bump_3": scene(80, 10, 2e-3, thrombi=[bump(32, 3.2)]),
     "bump_3_coarse": scene(80, 10, 4e-3, thrombi=[bump(32, 3.2)], numerics={"spacing": 6.25e-7}),
