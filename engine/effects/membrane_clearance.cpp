@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/effects/neighbourhood.h"
+
 namespace rouleau::effects {
 
 namespace {
@@ -14,7 +16,8 @@ constexpr double lost = 0.8;           // farther through than this, it is not t
 class MembraneClearance : public CellEffect {
  public:
   void apply(State& state) override {
-    for (int i = state.particles.membrane_end(); i < state.particles.active_end(); ++i) {
+    for (const int i : neighbourhood_.around(state, membrane_nodes(state))) {
+      if (i < state.particles.membrane_end()) continue;
       const Side side = nearest_link(state, i);
       const double d0 = state.spacing;
       if (side.distance >= clearance * d0 || side.distance <= -lost * d0) continue;
@@ -63,6 +66,8 @@ class MembraneClearance : public CellEffect {
     }
     return side;
   }
+
+  Neighbourhood neighbourhood_;
 };
 
 }  // namespace

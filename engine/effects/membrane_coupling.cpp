@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/effects/neighbourhood.h"
+
 namespace rouleau::effects {
 
 namespace {
@@ -134,11 +136,15 @@ class MembraneCoupling : public CellEffect, public ImplicitForce {
   /// interpolate between the cell's nodes.
   void weigh_colour(const State& state, int c) {
     const auto& list = state.neighbours;
-    const int active = state.particles.active_end();
-    gradient_x_.assign(active, 0);
-    gradient_y_.assign(active, 0);
-    weight_.assign(active, 0);
-    for (int i = 0; i < active; ++i) {
+    const CellState& cell = state.cells[c];
+    // What has a neighbour across a membrane has one beside a node of it.
+    constexpr int hops = 2;
+    const auto& near_cell = neighbourhood_.around(state, nodes_of(cell), hops);
+    for (auto* field : {&gradient_x_, &gradient_y_, &weight_}) {
+      field->resize(static_cast<std::size_t>(state.particles.active_end()));
+      for (const int i : near_cell) (*field)[i] = 0;
+    }
+    for (const int i : near_cell) {
       const double here = colour(state, c, i);
       double gx = 0, gy = 0, weight = 0;
       bool near = false;
@@ -257,7 +263,8 @@ class MembraneCoupling : public CellEffect, public ImplicitForce {
   std::vector<ColourGradient> gradients_;
   std::vector<int> begin_{0};
   std::vector<Share> shares_;
-  std::vector<double> gradient_x_, gradient_y_, weight_;
+  std::vector<double> gradient_x_, gradient_y_, weight_;  ///< [particles], valid around the present cell
+  Neighbourhood neighbourhood_;
   const std::vector<cells::Stiffness>* stiffness_ = nullptr;
   double per_mass_ = 0;
   mutable std::vector<double> node_rate_;

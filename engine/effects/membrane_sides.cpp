@@ -2,6 +2,7 @@
 
 #include "engine/cells/shape.h"
 #include "engine/effects/breach.h"
+#include "engine/effects/neighbourhood.h"
 
 namespace rouleau::effects {
 
@@ -14,8 +15,10 @@ class MembraneSides : public CellEffect {
  public:
   void apply(State& state) override {
     const auto& particles = state.particles;
-    for (int i = particles.membrane_end(); i < particles.active_end(); ++i) {
-      for (const int node : nodes_nearby(state, i)) {
+    for (const int i : neighbourhood_.around(state, membrane_nodes(state))) {
+      if (i < particles.membrane_end()) continue;
+      find_nodes(state, i);
+      for (const int node : nodes_) {
         const int c = particles.cell[node];
         const bool belongs = particles.cell[i] == c;
         const cells::Ring ring = state.ring(state.cells[c]);
@@ -44,17 +47,19 @@ class MembraneSides : public CellEffect {
  private:
   /// One node of each cell that has some among the particle's neighbours: nothing crosses a membrane that it
   /// was not near.
-  static std::vector<int> nodes_nearby(const State& state, int i) {
+  void find_nodes(const State& state, int i) {
     const auto& list = state.neighbours;
-    std::vector<int> found;
+    nodes_.clear();
     for (int k = list.begin(i); k < list.end(i); ++k) {
       const int node = list.j[k];
       if (node >= state.particles.membrane_end()) continue;
       const auto& cell = state.particles.cell;
-      if (found.empty() || cell[found.back()] != cell[node]) found.push_back(node);
+      if (nodes_.empty() || cell[nodes_.back()] != cell[node]) nodes_.push_back(node);
     }
-    return found;
   }
+
+  Neighbourhood neighbourhood_;
+  std::vector<int> nodes_;
 };
 
 }  // namespace

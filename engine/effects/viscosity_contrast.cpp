@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/effects/neighbourhood.h"
+
 namespace rouleau::effects {
 
 namespace {
@@ -14,9 +16,11 @@ class ViscosityContrast : public CellEffect, public ImplicitForce {
  public:
   void apply(State& state) override {
     find_factors(state);
-    smooth(state);
-    find_gradients(state);
-    state.operators.scale_laplacians(state.viscosity_factor);
+    // Nothing is felt farther than the smoothing and the fits reach.
+    const std::vector<int>& rows = neighbourhood_.around(state, inside_, smoothing_passes + 1);
+    smooth(state, rows);
+    find_gradients(state, rows);
+    state.operators.scale_laplacians(rows, state.viscosity_factor);
     operators_ = &state.operators;
     list_ = &state.neighbours;
     state.implicit_forces.push_back(this);
@@ -35,11 +39,13 @@ class ViscosityContrast : public CellEffect, public ImplicitForce {
     double x, y;  ///< of the kinematic viscosity
   };
 
-  static void find_factors(State& state) {
+  void find_factors(State& state) {
     const auto& particles = state.particles;
+    inside_.clear();
     state.viscosity_factor.assign(particles.velocity_end(), 1);
     for (int i = 0; i < particles.active_end(); ++i) {
       if (particles.cell[i] < 0) continue;
+      inside_.push_back(i);
       const int cell = particles.cell[i];
       const double ratio = 1 + state.cells[cell].presence * (state.scene.cells[cell].viscosity_ratio - 1);
       state.viscosity_factor[i] = i < particles.membrane_end() ? 0.5 * (1 + ratio) : ratio;
@@ -47,12 +53,12 @@ class ViscosityContrast : public CellEffect, public ImplicitForce {
   }
 
   /// A viscosity that jumps by a factor of 50 between neighbours made the velocity flicker.
-  void smooth(State& state) {
+  void smooth(State& state, const std::vector<int>& rows) {
     const auto& list = state.neighbours;
     std::vector<double>& factor = state.viscosity_factor;
     for (int pass = 0; pass < smoothing_passes; ++pass) {
       sharp_ = factor;
-      for (int i = 0; i < state.particles.active_end(); ++i) {
+      for (const int i : rows) {
         double weight = 1, sum = sharp_[i];
         for (int k = list.begin(i); k < list.near_end(i); ++k) {
           if (list.j[k] >= state.particles.active_end()) continue;
@@ -67,11 +73,11 @@ class ViscosityContrast : public CellEffect, public ImplicitForce {
 
   /// The gradient that the Laplacian's own weights see in a linear velocity: so the two halves of the stress
   /// cancel exactly in a rotation. The gradient of the fits let cells of ratio 50 spin themselves up.
-  void find_gradients(const State& state) {
+  void find_gradients(const State& state, const std::vector<int>& rows) {
     slopes_.clear();
     const auto& list = state.neighbours;
     const std::vector<double>& factor = state.viscosity_factor;
-    for (int i = 0; i < state.particles.active_end(); ++i) {
+    for (const int i : rows) {
       Slope slope{i, 0, 0};
       const float* weight = state.operators.laplacian(i);
       for (int k = list.begin(i); k < list.end(i); ++k) {
@@ -102,6 +108,8 @@ class ViscosityContrast : public CellEffect, public ImplicitForce {
     }
   }
 
+  std::vector<int> inside_;  ///< what cells hold
+  Neighbourhood neighbourhood_;
   std::vector<Slope> slopes_;
   std::vector<double> sharp_;
   const operators::LeastSquares* operators_ = nullptr;

@@ -119,8 +119,8 @@ void LeastSquares::fit(simd::FitTask task) {
   simd::kernels().fit(list_->pair_rows(), {list_->dx.data(), list_->dy.data(), list_->r.data()}, task);
 }
 
-void LeastSquares::scale_laplacians(const std::vector<double>& factor) {
-  for (int i = 0; i < list_->rows(); ++i) {
+void LeastSquares::scale_laplacians(std::span<const int> rows, const std::vector<double>& factor) {
+  for (const int i : rows) {
     for (int k = list_->begin(i); k < list_->end(i); ++k) {
       laplacian_[k] *= static_cast<float>(0.5 * (factor[i] + factor[list_->j[k]]));
     }

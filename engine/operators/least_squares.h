@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/particles/neighbour_list.h"
@@ -30,10 +31,10 @@ class LeastSquares {
   const float* pressure_dx(int i) const { return &dx_[pressure_begin_[i]]; }
   const float* pressure_dy(int i) const { return &dy_[pressure_begin_[i]]; }
 
-  /// Multiplies the Laplacian's weight of each pair by the mean of its particles' factors, so that with a
-  /// viscosity nu it is div(nu grad u).
+  /// Multiplies the Laplacian's weight of each pair in these rows by the mean of its particles' factors, so
+  /// that with a viscosity nu it is div(nu grad u).
   /// @param factor  of all that a pair can point to
-  void scale_laplacians(const std::vector<double>& factor);
+  void scale_laplacians(std::span<const int> rows, const std::vector<double>& factor);
 
   Gradient velocity_gradient(int i, const double* field) const;
   Gradient pressure_gradient(int i, const double* field) const;
