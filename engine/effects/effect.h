@@ -22,7 +22,8 @@ std::string_view name_of(Stage stage);
 class Effect {
  public:
   virtual ~Effect() = default;
-  /// Whether the scene needs it now; it is not applied where it sleeps, and the answer is the same.
+  /// Whether the scene needs it now, asked before each turn: where it sleeps it is not applied, and the answer is
+  /// the same. It may keep for `apply` what it found out.
   virtual bool awake(const State&) { return true; }
   virtual void apply(State& state) = 0;
 };

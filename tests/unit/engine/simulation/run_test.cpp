@@ -195,6 +195,26 @@ TEST(Run, SummaryAsJsonTellsTheEnding) {
   EXPECT_FALSE(json.contains("poiseuille_deviation"));
 }
 
+TEST(Run, SaysHowOftenEachEffectWasAwake) {
+  Case scene = coarse_vessel_with_cells();
+  scene.initial.flow = InitialFlow::rest;  // which nothing has to settle
+  Recorder recorder;
+  const RunSummary summary = run_case(scene, recorder);
+  ASSERT_EQ(summary.rejected_steps, 0);
+  std::map<std::string, EffectTime> by_name;
+  for (const EffectTime& time : summary.effect_times) by_name[time.name] = time;
+  for (const auto& [name, time] : by_name) {
+    EXPECT_LE(time.awake, time.rounds) << name;
+    EXPECT_GE(time.rounds, summary.steps) << name;
+  }
+  EXPECT_GE(by_name.at("contact").awake, summary.contact_steps);
+  EXPECT_LT(by_name.at("contact").awake, summary.steps);
+  EXPECT_EQ(by_name.at("fading").awake, 0);
+  EXPECT_EQ(by_name.at("bending").awake, summary.steps);
+  EXPECT_EQ(by_name.at("stretch").rounds, by_name.at("bending").rounds);
+  EXPECT_FALSE(by_name.contains("viscosity_contrast"));
+}
+
 TEST(Run, TimesOfTheEffectsAddUpToLessThanTheWallTime) {
   Recorder recorder;
   const RunSummary summary = run_case(coarse_vessel(), recorder);
