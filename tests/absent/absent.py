@@ -1,8 +1,8 @@
 """What a scene does without costs it nothing: runs it in a program that has every effect and in one in which
 those that its plan leaves out do not exist.
 
-  absent.py catalogue PROGRAM CASE ENGINE FOLDER
-      writes the two catalogues of ENGINE into FOLDER with only those entries that PROGRAM ran
+  absent.py catalogue PROGRAM CASE ENGINE FILE
+      writes the two catalogues of ENGINE into FILE with only those entries that PROGRAM ran
   absent.py compare PROGRAM WITHOUT CASE STEPS
       the answers must agree to the last bit, and so must what they allocate
   absent.py bench PROGRAM WITHOUT CASE STEPS [REPETITIONS]
@@ -52,11 +52,10 @@ def filtered(catalogue, names):
     return text[:begin] + re.sub(r"&(\w+),?", keep, text[begin:end]) + text[end:]
 
 
-def write_catalogues(program, case, engine, folder):
+def write_catalogues(program, case, engine, file):
     names = ran(run(program, case, 1))
-    folder.mkdir(parents=True, exist_ok=True)
-    for room in CATALOGUES:
-        (folder / f"{room}.cpp").write_text(filtered(engine / room / "catalogue.cpp", names), encoding="utf-8")
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text("".join(filtered(engine / room / "catalogue.cpp", names) for room in CATALOGUES), encoding="utf-8")
 
 
 def symbols_of(program):

@@ -9,8 +9,9 @@ from pathlib import Path
 
 EVERY_OUTPUT = {"series_interval": 2e-5, "frame_interval": 1e-4,
                 "fields": ["velocity", "pressure", "wall_shear_stress"]}
+ON_REQUEST = ["aggregation", "inextensible", "hydraulic_resistance", "cell_free_layer", "fahraeus", "membrane_maps",
+              "hemolysis"]
 THROMBUS = {"wall": "lower", "x": 32e-6, "radius": 3.2e-6}
-MEASURES = ("hydraulic_resistance", "cell_free_layer", "fahraeus", "membrane_maps", "hemolysis")
 PROBE = {"name": "across", "from": [20e-6, 0], "to": [20e-6, 10e-6], "points": 25}
 
 
@@ -60,7 +61,7 @@ def scenes(examples):
         "two_cells": two_cells,
         "everything": changed(two_cells, cells=[cell(8e-6, viscosity_ratio=5), cell(14e-6, 4.5e-6)],
                               inflow={"waveform": [[0, 1], [1e-3, 1.5]]}, output=EVERY_OUTPUT, probes=[PROBE],
-                              effects={name: "on" for name in MEASURES}),
+                              effects=dict.fromkeys(ON_REQUEST, "on")),
     }
 
 

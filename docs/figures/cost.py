@@ -1,7 +1,7 @@
-"""Draws docs/effects.md from docs/effects.jsonl: what the effects of each scene cost, and what those cost that it
+"""Draws docs/cost.md from docs/cost.jsonl: what the effects of each scene cost, and what those cost that it
 does without.
 
-Usage: effects.py FOLDER
+Usage: cost.py FOLDER
 """
 
 import json
@@ -16,7 +16,7 @@ code of cells). Both give the same bits and allocate the same, which `ctest --pr
 last column is how much more processor's time the first one took, the median of {repetitions} pairs. Times are those of the
 processor, from the first step on, observers included; one thread.
 
-This page is made by `deploy/reproduce effects`, which draws it from `effects.jsonl`. The scenes are made by
+This page is made by `deploy/reproduce cost`, which draws it from `cost.jsonl`. The scenes are made by
 `tests/absent/scenes.py` from the [examples](examples/).
 
 | scene | particles | membrane nodes | effects and observers | steps/s | steps/s without the others | cost of what is absent |
@@ -57,13 +57,13 @@ def times(line):
 
 def main():
     folder = Path(sys.argv[1])
-    with open(folder / "effects.jsonl", encoding="utf-8") as stream:
+    with open(folder / "cost.jsonl", encoding="utf-8") as stream:
         latest = {line["scene"]: line for line in map(json.loads, stream)}
     lines = list(latest.values())
     text = HEAD.format(known=lines[0]["known"], repetitions=lines[0]["repetitions"])
     text += "\n".join(rows(lines)) + "\n" + TIMES
     text += "\n".join(row for line in lines for row in times(line)) + "\n"
-    (folder / "effects.md").write_text(text, encoding="utf-8")
+    (folder / "cost.md").write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
