@@ -82,6 +82,6 @@ const EffectKind membrane_clearance{
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneClearance>(); },
     CellEffect::rests,
     {},
-    {.particle = 21, .membrane_node = 1650}};
+    {.membrane_node = 2300}};
 
 }  // namespace rouleau::effects

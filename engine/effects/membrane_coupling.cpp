@@ -282,6 +282,6 @@ const EffectKind membrane_coupling{
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneCoupling>(); },
     CellEffect::rests,
     {},
-    {.particle = 45, .membrane_node = 2620}};
+    {.membrane_node = 4300}};
 
 }  // namespace rouleau::effects

@@ -74,6 +74,6 @@ const EffectKind membrane_sides{
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<MembraneSides>(); },
     CellEffect::rests,
     {},
-    {.particle = 28, .membrane_node = 300}};
+    {.membrane_node = 1150}};
 
 }  // namespace rouleau::effects

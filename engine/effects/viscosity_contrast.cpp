@@ -134,6 +134,6 @@ const EffectKind viscosity_contrast{
     [](State&) -> std::unique_ptr<Effect> { return std::make_unique<ViscosityContrast>(); },
     CellEffect::rests,
     {},
-    {.particle = 104}};
+    {.membrane_node = 2600}};
 
 }  // namespace rouleau::effects
