@@ -13,8 +13,8 @@ HEAD = """# What each scene simulates, and what it costs
 Every scene below ran in two programs in turn: one that has all {known} effects and observers, and one linked from
 the same objects in which those that the scene's plan leaves out do not exist (for scenes without cells that is all
 code of cells). Both give the same bits and allocate the same, which `ctest --preset release -R absent` checks; the
-last column is how much more processor's time the first one took, the median of {repetitions} pairs. Times are those of the
-processor, from the first step on, observers included; one thread.
+last column is how much more time the first one took. Times are the least of {repetitions} runs each, in turns, by the processor's
+clock, from the first step on, observers included; one thread.
 
 This page is made by `deploy/reproduce cost`, which draws it from `cost.jsonl`. The scenes are made by
 `tests/absent/scenes.py` from the [examples](examples/).
@@ -60,6 +60,7 @@ def main():
     with open(folder / "cost.jsonl", encoding="utf-8") as stream:
         latest = {line["scene"]: line for line in map(json.loads, stream)}
     lines = list(latest.values())
+    (folder / "cost.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
     text = HEAD.format(known=lines[0]["known"], repetitions=lines[0]["repetitions"])
     text += "\n".join(rows(lines)) + "\n" + TIMES
     text += "\n".join(row for line in lines for row in times(line)) + "\n"

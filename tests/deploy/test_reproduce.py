@@ -34,7 +34,8 @@ def test_help():
     assert result.stdout.startswith("usage: deploy/reproduce")
 
 
-@pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"], ["stability", "--slow"], ["plan", "--slow"]])
+@pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"], ["stability", "--slow"], ["plan", "--slow"],
+                                       ["cost", "--slow"]])
 def test_what_is_unknown_is_refused(arguments):
     result = reproduce(*arguments)
     assert result.returncode == 2
@@ -106,7 +107,7 @@ class TestPlan:
             assert f"| `{run['scene']}` | {expected['particles']} | " in files["plan.md"].decode()
 
 
-@pytest.mark.parametrize("name", ["accuracy", "stability", "plan"])
+@pytest.mark.parametrize("name", ["accuracy", "stability", "plan", "cost"])
 def test_the_page_is_that_of_the_runs_kept_with_it(tmp_path, name):
     (tmp_path / f"{name}.jsonl").write_bytes((ROOT / f"docs/{name}.jsonl").read_bytes())
     drawn = page(name, tmp_path, "--draw")
