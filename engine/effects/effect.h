@@ -22,8 +22,8 @@ std::string_view name_of(Stage stage);
 class Effect {
  public:
   virtual ~Effect() = default;
-  /// Whether the scene needs it now, asked before each turn: where it sleeps it is not applied, and the answer is
-  /// the same. It may keep for `apply` what it found out.
+  /// Whether the scene needs it now, asked before each turn: where it sleeps it is not applied, and the
+  /// answer is the same. It may keep for `apply` what it found out.
   virtual bool awake(const State&) { return true; }
   virtual void apply(State& state) = 0;
 };
