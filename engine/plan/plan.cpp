@@ -61,10 +61,30 @@ Switch wish_for(const Case& scene, std::string_view name) {
   return wish == scene.effects.end() ? Switch::automatic : wish->second.position;
 }
 
+/// Those of a candidate, each with its value in the scene.
+std::vector<PlannedEffect::Parameter> parameters_of(const Candidate& one, const Case& scene) {
+  struct Named {
+    std::string_view name;
+    const std::vector<effects::Parameter>& parameters;
+  };
+  const Named named{one.name, *one.parameters};
+  std::vector<PlannedEffect::Parameter> planned;
+  for (const effects::Parameter& p : *one.parameters) {
+    planned.push_back({std::string(p.name), std::string(p.unit), std::string(p.description),
+                       effects::parameter(scene, named, p.name), p.least, p.most});
+  }
+  return planned;
+}
+
 PlannedEffect plan_effect(const Candidate& one, const Case& scene) {
   const effects::Need need = one.need(scene);
-  PlannedEffect planned{std::string(one.name), std::string(one.stage), need.called_for,
-                        need.reason,           need.pointer,           std::string(one.rests)};
+  PlannedEffect planned{.name = std::string(one.name),
+                        .stage = std::string(one.stage),
+                        .on = need.called_for,
+                        .reason = need.reason,
+                        .pointer = need.pointer,
+                        .rests = std::string(one.rests),
+                        .parameters = parameters_of(one, scene)};
   if (need.called_for && wish_for(scene, one.name) == Switch::off) {
     planned.on = false;
     planned.reason = "switched off by the case";
@@ -228,13 +248,23 @@ Plan make_plan(const Case& scene, const Machine& machine) {
 nlohmann::json to_json(const Plan& plan) {
   nlohmann::json effects = nlohmann::json::array();
   for (const PlannedEffect& e : plan.effects) {
+    nlohmann::json parameters = nlohmann::json::array();
+    for (const PlannedEffect::Parameter& p : e.parameters) {
+      parameters.push_back({{"name", p.name},
+                            {"unit", p.unit},
+                            {"description", p.description},
+                            {"value", p.value},
+                            {"least", p.least},
+                            {"most", p.most}});
+    }
     effects.push_back({{"name", e.name},
                        {"stage", e.stage},
                        {"on", e.on},
                        {"reason", e.reason},
                        {"pointer", e.pointer},
                        {"rests", e.rests},
-                       {"share", e.share}});
+                       {"share", e.share},
+                       {"parameters", parameters}});
   }
   return {{"effects", effects},
           {"spacing", plan.spacing},

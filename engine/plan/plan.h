@@ -15,6 +15,15 @@ namespace rouleau {
 
 /// One line of the plan: an effect or observer that the catalogues know, whether this scene runs it, and why.
 struct PlannedEffect {
+  /// A number that the case may give it.
+  struct Parameter {
+    std::string name;
+    std::string unit;  ///< SI; "1" where it has none
+    std::string description;
+    double value = 0;  ///< the case's, else the default
+    double least = 0, most = 0;
+  };
+
   std::string name;
   std::string stage;
   bool on = false;
@@ -22,6 +31,7 @@ struct PlannedEffect {
   std::string pointer;  ///< JSON Pointer to the part of the case that decided, "" if none did
   std::string rests;    ///< when it sleeps inside a run, as a part of a sentence; "" if never
   double share = 0;     ///< of the time that all of them together are expected to take; 0 where it is off
+  std::vector<Parameter> parameters{};
 };
 
 /// What will run, known before anything runs.

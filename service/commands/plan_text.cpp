@@ -56,6 +56,15 @@ class ByReason {
   std::vector<std::pair<std::string, std::vector<std::string>>> reasons_;
 };
 
+std::string describe_parameters(const PlannedEffect& effect) {
+  std::string text;
+  for (const PlannedEffect::Parameter& p : effect.parameters) {
+    text += fmt::format("{}{} {:.4g}{}", text.empty() ? "             with " : ", ", p.name, p.value,
+                        p.unit == "1" ? "" : " " + p.unit);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 /// What costs most first.
 std::string describe_running(const Plan& plan) {
   std::vector<const PlannedEffect*> running;
@@ -69,6 +78,7 @@ std::string describe_running(const Plan& plan) {
   for (const PlannedEffect* effect : running) {
     text += fmt::format("{}  {:28} {:10} {}\n", share_of(*effect), effect->name, effect->stage,
                         with_pointer(*effect));
+    text += describe_parameters(*effect);
     if (!effect->rests.empty()) sleeping.add(effect->rests, effect->name);
   }
   return text + sleeping.text("of these sleep");

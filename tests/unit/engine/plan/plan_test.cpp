@@ -86,6 +86,20 @@ TEST(Plan, ParametersAreOfEffectsThatHaveThem) {
       (std::set<std::string>{"/effects/bending/stiffness", "/effects/frames/size", "/effects/frames/count"}));
 }
 
+TEST(Plan, ParametersHaveTheCasesValuesOrTheirDefaults) {
+  Case scene = coarse_vessel_with_cells();
+  const auto stress_exponent = [&] {
+    const Plan plan = make_plan(scene);
+    for (const PlannedEffect::Parameter& p : effect(plan, "hemolysis").parameters) {
+      if (p.name == "stress_exponent") return p.value;
+    }
+    return 0.0;
+  };
+  EXPECT_EQ(stress_exponent(), 2.416);
+  scene.effects["hemolysis"] = {Switch::on, {{"stress_exponent", 2}}};
+  EXPECT_EQ(stress_exponent(), 2);
+}
+
 TEST(Plan, WhatASceneNeedsCannotBeLeftOut) {
   for (const effects::EffectKind* kind : effects::catalogue()) {
     Case scene = coarse_vessel_with_cells();
