@@ -14,7 +14,8 @@ Every scene below ran in two programs in turn: one that has all {known} effects 
 the same objects in which those that the scene's plan leaves out do not exist (for scenes without cells that is all
 code of cells). Both give the same bits and allocate the same, which `ctest --preset release -R absent` checks; the
 last column is how much more time the first one took. Times are the least of {repetitions} runs each, in turns, by the processor's
-clock, from the first step on, observers included; one thread.
+clock, from the first step on, observers included; one thread. Runs of one and the same program differ by a tenth and
+more on the machine that made this page: what is left of that in the last column, of either sign, says no more.
 
 This page is made by `deploy/reproduce cost`, which draws it from `cost.jsonl`. The scenes are made by
 `tests/absent/scenes.py` from the [examples](examples/).

@@ -1,11 +1,9 @@
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <new>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -15,59 +13,7 @@
 #include "engine/observe/observer.h"
 #include "engine/plan/plan.h"
 #include "engine/simulation/run.h"
-
-namespace {
-
-long allocations = 0;
-long allocated = 0;
-
-void* allocate(std::size_t size, std::size_t alignment = alignof(std::max_align_t)) {
-  ++allocations;
-  allocated += static_cast<long>(size);
-  void* const memory =
-      std::aligned_alloc(alignment, (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size);
-}
-void* operator new[](std::size_t size) {
-  return allocate(size);
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return allocate(size, static_cast<std::size_t>(alignment));
-}
-void* operator new[](std::size_t size, std::align_val_t alignment) {
-  return allocate(size, static_cast<std::size_t>(alignment));
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
-void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
-  std::free(memory);
-}
+#include "tests/allocation/counting_new.h"
 
 namespace {
 
@@ -90,8 +36,8 @@ class Digest : public Output {
       for (const char c : column.name) add(static_cast<unsigned char>(c));
     }
     started_ = std::clock();
-    allocations_ = allocations;
-    allocated_ = allocated;
+    allocations_ = allocations();
+    allocated_ = allocated_bytes();
   }
   void series_row(std::span<const double> row) override {
     for (const double value : row) add(std::bit_cast<std::uint64_t>(value));
@@ -107,8 +53,8 @@ class Digest : public Output {
 
   std::uint64_t value() const { return hash_; }
   double seconds() const { return static_cast<double>(std::clock() - started_) / CLOCKS_PER_SEC; }
-  long allocations_since() const { return allocations - allocations_; }
-  long allocated_since() const { return allocated - allocated_; }
+  long allocations_since() const { return allocations() - allocations_; }
+  long allocated_since() const { return allocated_bytes() - allocated_; }
 
  private:
   void add(std::uint64_t value) {

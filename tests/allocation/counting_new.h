@@ -1,0 +1,6 @@
+#pragma once
+
+/// A program that links this counts what it allocates.
+
+long allocations();
+long allocated_bytes();
