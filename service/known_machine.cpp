@@ -23,7 +23,7 @@ std::string processor() {
   std::string line, name = "unknown";
   while (std::getline(told, line)) {
     if (!line.starts_with("model name")) continue;
-    name = line.substr(line.find(':') + 2);
+    if (const auto colon = line.find(": "); colon != std::string::npos) name = line.substr(colon + 2);
     break;
   }
   return name + (simd::path() == simd::Path::avx2 ? ", avx2 kernels" : ", plain kernels");
@@ -54,8 +54,12 @@ KnownMachine::KnownMachine(const std::filesystem::path& data_folder) : file_(fil
 std::optional<Machine> KnownMachine::kept() const {
   std::ifstream in(file_);
   const auto told = nlohmann::json::parse(in, nullptr, false);
-  if (!told.is_object() || told.value("engine", "") != engine_version() ||
-      told.value("processor", "") != processor()) {
+  // Whatever the file holds: anything but this engine and processor has it measured again.
+  const auto says = [&](const char* key, const std::string& text) {
+    const auto found = told.find(key);
+    return found != told.end() && *found == text;
+  };
+  if (!told.is_object() || !says("engine", engine_version()) || !says("processor", processor())) {
     return std::nullopt;
   }
   const auto slowness = told.find("slowness");

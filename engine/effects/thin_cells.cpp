@@ -12,12 +12,7 @@ namespace rouleau::effects {
 
 namespace {
 
-// Mean thickness 2 A / P of a cell, in spacings.
-constexpr double least = 1.6;  // fluid leaks from here on
-constexpr double seen_coming = 2;
-constexpr double restored = 3;  // by a refinement
-// No spacing is finer than that of the start over this.
-constexpr double most_refinement = 3;
+constexpr double least = 1.6;  // mean thickness in spacings: fluid leaks from here on
 // Longest and shortest link, in spacings. The nodes that a cell starts with may crowd further: their links
 // are stiff below 0.8 l0.
 constexpr double most_stretched = 1.8, most_crowded = 0.4;

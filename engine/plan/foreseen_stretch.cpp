@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/case/waveform.h"
+#include "engine/effects/thin_cells.h"
 
 namespace rouleau {
 
@@ -18,9 +19,9 @@ constexpr double delay = 0.3;
 constexpr double squeeze = 0.6;
 // The perimeter of a biconcave cell over that of the circle from which it is deflated.
 constexpr double relaxed_perimeter = 0.9;
-// As in `thin_cells`: mean thickness in spacings that calls for finer ones, that they restore, and how much
-// finer they get.
-constexpr double seen_coming = 2, restored = 3, most_refinement = 3;
+using effects::most_refinement;
+using effects::restored;
+using effects::seen_coming;
 
 double shear_rate(const effects::State& start, const RedCell& cell) {
   const Case& scene = start.scene;

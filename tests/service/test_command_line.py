@@ -104,8 +104,10 @@ def test_the_machine_is_measured_once_and_again_when_asked(call, write_case, tmp
     kept.write_text(json.dumps(json.loads(kept.read_text()) | {"processor": "another"}))
     assert "measuring" in call("plan", "--data", "data", write_case(plasma())).stderr
     assert "measuring" in call("plan", "--data", "data", "--calibrate", write_case(plasma())).stderr
-    kept.write_text("{")
-    assert call("plan", "--data", "data", write_case(plasma())).returncode == 0
+    for damaged in ["{", "", "[]", '{"engine": 3, "processor": []}']:
+        kept.write_text(damaged)
+        assert call("plan", "--data", "data", write_case(plasma())).returncode == 0
+        assert json.loads(kept.read_text())["slowness"] > 0
 
 
 def test_run_and_series(call, write_case, tmp_path):
