@@ -139,6 +139,7 @@ void ArchiveWriter::checkpoint(const Checkpoint&) {
     parts_->write_gathered();
     file_->flush();
     sync(file_->path());
+    file_->keep();
   });
 }
 

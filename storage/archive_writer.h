@@ -23,7 +23,8 @@ struct ArchiveFile {
 
 /// Writes what a run delivers to one HDF5 file (layout: docs/archive.md). The file grows as NAME.part beside
 /// its final name, is flushed with every frame, and takes its name in `finish`, complete and on the disk; if
-/// that never comes, the destructor removes it. Each call may throw ArchiveError.
+/// that never comes, the destructor removes it, unless a checkpoint relies on it. Each call may throw
+/// ArchiveError.
 class ArchiveWriter : public Output {
  public:
   /// @param path        final name, conventionally ending in .h5; its folder must exist

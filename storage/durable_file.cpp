@@ -35,4 +35,12 @@ void publish(const std::filesystem::path& aside, const std::filesystem::path& fi
   sync(final_name.has_parent_path() ? final_name.parent_path() : ".");
 }
 
+void copy(const std::filesystem::path& file, const std::filesystem::path& to) {
+  std::error_code error;
+  std::filesystem::copy_file(file, to, std::filesystem::copy_options::overwrite_existing, error);
+  if (!error) return;
+  errno = error.value();
+  throw failure(to);
+}
+
 }  // namespace rouleau::storage

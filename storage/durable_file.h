@@ -13,4 +13,8 @@ void sync(const std::filesystem::path& path);
 /// @throws ArchiveError
 void publish(const std::filesystem::path& aside, const std::filesystem::path& final_name);
 
+/// Copies a file's content; what had the name of the copy is replaced.
+/// @throws ArchiveError
+void copy(const std::filesystem::path& file, const std::filesystem::path& to);
+
 }  // namespace rouleau::storage

@@ -64,6 +64,7 @@ void CheckpointKeeper::checkpoint(const Checkpoint& checkpoint) {
 void CheckpointKeeper::remove() {
   fs::remove(checkpoint_path(archive_));
   fs::remove(put_aside(archive_));
+  fs::remove(unfinished_path(archive_));
 }
 
 }  // namespace rouleau::storage

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <utility>
 
 #include "storage/durable_file.h"
 #include "storage/hdf5/session.h"
@@ -33,7 +34,7 @@ UnfinishedFile::~UnfinishedFile() {
   give_up();
   file_.close();
   std::error_code ignored;
-  std::filesystem::remove(aside_, ignored);
+  if (!kept_ || !copied_from_.empty()) std::filesystem::remove(aside_, ignored);
 }
 
 void UnfinishedFile::let_others_read() {
@@ -51,6 +52,10 @@ void UnfinishedFile::close() {
 
 void UnfinishedFile::reopen() {
   close();
+  if (kept_) {
+    copied_from_ = std::exchange(aside_, std::filesystem::path(final_name_) += ".ending.part");
+    storage::copy(copied_from_, aside_);
+  }
   file_ = hdf5::File(checked(H5Fopen(aside_.c_str(), H5F_ACC_RDWR, newest_format().get()),
                              "cannot reopen " + aside_.string()));
 }
@@ -67,6 +72,8 @@ void UnfinishedFile::give_up() {
 void UnfinishedFile::publish() {
   storage::publish(aside_, final_name_);
   published_ = true;
+  std::error_code ignored;
+  if (!copied_from_.empty()) std::filesystem::remove(copied_from_, ignored);
 }
 
 }  // namespace rouleau::storage

@@ -166,6 +166,18 @@ TEST_F(Stopped, ACheckpointWithoutItsArchiveIsRefused) {
   EXPECT_THROW(find_interrupted(archive, scene), CheckpointError);
 }
 
+TEST_F(Stopped, AnEndThatFailsLeavesWhatTheCheckpointGoesOnFrom) {
+  std::filesystem::create_directories(archive / "in the way");
+  EXPECT_THROW(run_to_the_end(archive, scene), ArchiveError);
+  EXPECT_TRUE(std::filesystem::exists(unfinished_path(archive)));
+  EXPECT_TRUE(find_interrupted(archive, scene));
+  std::filesystem::remove_all(archive);
+  run_to_the_end(archive, scene);
+  const auto whole = folder.path() / "whole.h5";
+  run_to_the_end(whole, scene);
+  expect_same_archive(archive, whole);
+}
+
 TEST_F(Stopped, ACheckpointOfAnotherCaseIsRefused) {
   run_to_the_end(archive, scene);
   write_checkpoint(checkpoint_path(archive), checkpoint);
