@@ -1,16 +1,19 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
 #include <exception>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <semaphore>
 #include <thread>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include <SQLiteCpp/Database.h>
+#include "storage/sqlite/connection.h"
 
 namespace rouleau::storage {
 
@@ -30,29 +33,32 @@ class GroupWriter {
   /// @throws StoreError if the work or the commit fails; then nothing of this work is stored
   template <class Work>
   auto run(Work&& work) {
-    std::optional<std::invoke_result_t<Work&, SQLite::Database&>> result;
-    perform([&](SQLite::Database& database) { result.emplace(work(database)); });
+    std::optional<std::invoke_result_t<Work&, Connection&>> result;
+    perform([&](Connection& database) { result.emplace(work(database)); });
     return std::move(*result);
   }
 
  private:
   struct Write {
-    std::function<void(SQLite::Database&)> work;
+    std::function<void(Connection&)> work;
     std::exception_ptr error;
-    bool answered = false;
+    std::binary_semaphore answered{0};
   };
+  using Group = std::vector<std::shared_ptr<Write>>;  // whoever was answered may be gone at once
 
-  void perform(std::function<void(SQLite::Database&)> work);
+  void perform(std::function<void(Connection&)> work);
   void serve();
-  void commit_group(const std::vector<Write*>& group);
+  /// Waits for those whom the last commit answered to come back, if they are quick.
+  void gather(std::unique_lock<std::mutex>& lock, std::size_t last_group);
+  void commit_group(const Group& group);
   void run_within_savepoint(Write& write);
   void checkpoint();
 
-  SQLite::Database database_;
+  Connection database_;
   std::mutex mutex_;
   std::condition_variable arrived_;
-  std::condition_variable answered_;
-  std::vector<Write*> waiting_;  // each lives on the stack of its caller until answered
+  Group waiting_;
+  std::size_t wanted_ = 1;  ///< how many must wait for the writer to be woken
   bool stopping_ = false;
   std::thread thread_;
 };

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <SQLiteCpp/Database.h>
-
+#include "storage/sqlite/connection.h"
 #include "storage/sqlite/database.h"
 
 namespace rouleau::storage {
@@ -18,7 +17,7 @@ class ReaderPool {
  public:
   ReaderPool(const std::filesystem::path& file, int connections);
 
-  /// Runs `read(database)`, which must leave no statement open.
+  /// Runs `read(connection)`, which must leave no statement open.
   /// @throws StoreError
   template <class Read>
   auto run(Read&& read) {
@@ -38,15 +37,15 @@ class ReaderPool {
     Loan& operator=(const Loan&) = delete;
 
     ReaderPool& pool;
-    SQLite::Database database;
+    Connection database;
   };
 
-  SQLite::Database take();
-  void give_back(SQLite::Database database);
+  Connection take();
+  void give_back(Connection database);
 
   std::mutex mutex_;
   std::condition_variable returned_;
-  std::vector<SQLite::Database> idle_;
+  std::vector<Connection> idle_;
 };
 
 }  // namespace rouleau::storage
