@@ -57,6 +57,9 @@ const ProblemKind unknown_host{"unknown-host", 421, "Not for this host",
 const ProblemKind invalid_case{
     "invalid-case", 422, "The case cannot be run",
     "The case has faults; `errors` lists all of them, each with its JSON Pointer."};
+const ProblemKind sweep_too_large{"sweep-too-large", 422, "The sweep has too many points",
+                                  "The axes span more points than this server takes in one sweep, or these "
+                                  "together are too long. Submit it in parts."};
 const ProblemKind headers_too_large{"headers-too-large", 431, "Too many or too large headers",
                                     "The request's headers are more, or longer, than are read here."};
 const ProblemKind internal{"internal", 500, "Something went wrong here",
@@ -88,6 +91,7 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &range_not_satisfiable,
                                                      &unknown_host,
                                                      &invalid_case,
+                                                     &sweep_too_large,
                                                      &headers_too_large,
                                                      &internal,
                                                      &draining,

@@ -24,7 +24,7 @@ namespace problems {
 extern const ProblemKind bad_request, invalid_json, invalid_request, invalid_case, unknown_column,
     unauthorized, cross_origin, unknown_host, not_found, method_not_allowed, request_timeout, not_finished,
     invalid_transition, length_required, payload_too_large, uri_too_long, unsupported_media_type,
-    range_not_satisfiable, headers_too_large, internal, draining, unavailable;
+    range_not_satisfiable, sweep_too_large, headers_too_large, internal, draining, unavailable;
 }  // namespace problems
 
 /// Every kind there is, in order of status.

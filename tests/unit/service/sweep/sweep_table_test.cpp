@@ -1,0 +1,46 @@
+#include "service/sweep/sweep_table.h"
+
+#include <gmock/gmock.h>
+
+#include <gtest/gtest.h>
+
+namespace rouleau::service {
+namespace {
+
+using nlohmann::json;
+using ::testing::ElementsAre;
+
+const json summary = json::parse(R"({
+  "wall_time": 1.5, "peak_fluid_speed": 0.01,
+  "cells": [{"peak_velocity": 0.006, "peak_tau": 0.4, "least_tau": 0.1, "departure": {"time": 0.0125}},
+            {"peak_velocity": 0.005, "peak_tau": 0.3, "least_tau": 0.2, "departure": null}]})");
+
+TEST(SweepTable, HasARowAPointWithWhatItCameTo) {
+  const SweepTable table = make_table(
+      {"/duration"}, {{0, "", "ab", {0.1}, "succeeded", summary}, {1, "", "cd", {0.2}, "failed", {}}});
+  std::vector<std::string> names;
+  for (const Column& column : table.columns) names.push_back(column.name);
+  EXPECT_THAT(
+      names, ElementsAre("index", "case_hash", "/duration", "state", "wall_time", "peak_fluid_speed",
+                         "cell0.peak_velocity", "cell0.peak_tau", "cell0.least_tau", "cell0.residence_time",
+                         "cell1.peak_velocity", "cell1.peak_tau", "cell1.least_tau", "cell1.residence_time"));
+  EXPECT_THAT(table.rows[0], ElementsAre(0u, "ab", 0.1, "succeeded", 1.5, 0.01, 0.006, 0.4, 0.1, 0.0125,
+                                         0.005, 0.3, 0.2, nullptr));
+  EXPECT_EQ(table.rows[1].size(), names.size());
+  EXPECT_EQ(table.rows[1][3], "failed");
+  EXPECT_EQ(table.rows[1][9], nullptr);
+  const json body = to_json(table);
+  EXPECT_EQ(body["units"]["cell0.residence_time"], "s");
+  EXPECT_FALSE(body["units"].contains("/duration"));
+}
+
+TEST(SweepTable, CsvQuotesWhatNeedsIt) {
+  const SweepTable table =
+      make_table({"/name", "/waveform"}, {{0, "id", "ab", {"a,\"b\"\n", {1, 2}}, "queued", {}}});
+  EXPECT_EQ(to_csv(table),
+            "index,job,case_hash,/name,/waveform,state,wall_time,peak_fluid_speed\n"
+            "0,id,ab,\"a,\"\"b\"\"\n\",\"[1,2]\",queued,,\n");
+}
+
+}  // namespace
+}  // namespace rouleau::service
