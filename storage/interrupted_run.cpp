@@ -63,6 +63,7 @@ void CheckpointKeeper::checkpoint(const Checkpoint& checkpoint) {
 
 void CheckpointKeeper::remove() {
   fs::remove(checkpoint_path(archive_));
+  fs::remove(fs::path(checkpoint_path(archive_)) += ".part");  // whoever wrote it was killed
   fs::remove(put_aside(archive_));
   fs::remove(unfinished_path(archive_));
 }
