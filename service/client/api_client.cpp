@@ -1,13 +1,17 @@
 #include "service/client/api_client.h"
 
-#include <chrono>
-#include <fstream>
+#include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include <httplib.h>
 
+#include "service/client/retry.h"
 #include "service/client/server_error.h"
 #include "service/http/problem.h"
+#include "storage/job_store.h"
+#include "storage/uuid.h"
 
 namespace rouleau::service {
 
@@ -21,10 +25,25 @@ std::string without_trailing_slash(std::string url) {
   return url;
 }
 
+bool is_busy(const httplib::Result& result) {
+  return result && (result->status == 429 || result->status == 503);
+}
+
+std::chrono::milliseconds asked_for(const httplib::Response& response) {
+  const int seconds = std::atoi(response.get_header_value("Retry-After").c_str());
+  return std::chrono::seconds(std::clamp(seconds, 0, 3600));
+}
+
 }  // namespace
 
-ApiClient::ApiClient(std::string url, const std::string& token)
-    : url_(without_trailing_slash(std::move(url))), client_(std::make_unique<httplib::Client>(url_)) {
+std::string new_idempotency_key() {
+  return storage::UuidSource().next(storage::system_clock_ms());
+}
+
+ApiClient::ApiClient(std::string url, const std::string& token, std::chrono::seconds patience)
+    : url_(without_trailing_slash(std::move(url))),
+      patience_(patience),
+      client_(std::make_unique<httplib::Client>(url_)) {
   if (!client_->is_valid()) throw std::runtime_error(url_ + " is not the URL of a server");
   client_->set_read_timeout(read_timeout);
   client_->set_connection_timeout(std::chrono::seconds(5));
@@ -33,6 +52,16 @@ ApiClient::ApiClient(std::string url, const std::string& token)
 }
 
 ApiClient::~ApiClient() = default;
+
+httplib::Result ApiClient::send(const std::function<httplib::Result(httplib::Client&)>& request) {
+  Retry retry(patience_);
+  for (;;) {
+    httplib::Result result = request(*client_);
+    if (result || result.error() != httplib::Error::Connection) reached_ = true;
+    const bool again = result ? is_busy(result) : reached_;
+    if (!again || !retry.wait(result ? asked_for(*result) : std::chrono::milliseconds(0))) return result;
+  }
+}
 
 void ApiClient::check(const httplib::Result& result, const std::string& body) const {
   if (!result)
@@ -52,48 +81,37 @@ void ApiClient::check(const httplib::Result& result, const std::string& body) co
 }
 
 nlohmann::json ApiClient::get(const std::string& path) {
-  return nlohmann::json::parse(get_text(path));
+  return nlohmann::json::parse(get_text(path, "application/json"));
 }
 
-std::string ApiClient::get_text(const std::string& path) {
-  const auto result = client_->Get(path);
+std::string ApiClient::get_text(const std::string& path, const std::string& accept) {
+  const auto result = send([&](httplib::Client& client) { return client.Get(path, {{"Accept", accept}}); });
   check(result, result ? result->body : "");
   return result->body;
 }
 
 nlohmann::json ApiClient::post(const std::string& path, const nlohmann::json& body) {
-  const auto result =
-      body.is_null() ? client_->Post(path) : client_->Post(path, dump(body), "application/json");
+  const std::string text = body.is_null() ? "" : dump(body);
+  const auto result = send([&](httplib::Client& client) {
+    return body.is_null() ? client.Post(path) : client.Post(path, text, "application/json");
+  });
   check(result, result ? result->body : "");
   return nlohmann::json::parse(result->body);
 }
 
-std::string ApiClient::download(const std::string& path, const std::filesystem::path& file) {
-  const std::filesystem::path part = file.string() + ".part";
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  if (!stream) throw std::runtime_error("cannot write " + part.string());
-  bool good = false;
-  std::string problem;
-  const auto result = client_->Get(
-      path,
-      [&](const httplib::Response& response) {
-        good = response.status == 200;
-        return true;
-      },
-      [&](const char* data, std::size_t size) {
-        if (!good) {
-          problem.append(data, size);
-          return true;
-        }
-        return static_cast<bool>(stream.write(data, static_cast<std::streamsize>(size)));
-      });
-  stream.close();
-  if (!result || !good || !stream) std::filesystem::remove(part);
-  if (good && !stream) throw std::runtime_error("cannot write " + part.string());
-  check(result, problem);
-  std::filesystem::rename(part, file);
-  const std::string etag = result->get_header_value("ETag");
-  return etag.size() >= 2 ? etag.substr(1, etag.size() - 2) : etag;
+nlohmann::json ApiClient::post_once(const std::string& path, const nlohmann::json& body,
+                                    const std::string& key) {
+  const std::string text = dump(body);
+  const auto result = send([&](httplib::Client& client) {
+    return client.Post(path, {{"Idempotency-Key", key}}, text, "application/json");
+  });
+  check(result, result ? result->body : "");
+  return nlohmann::json::parse(result->body);
+}
+
+void ApiClient::remove(const std::string& path) {
+  const auto result = send([&](httplib::Client& client) { return client.Delete(path); });
+  check(result, result ? result->body : "");
 }
 
 }  // namespace rouleau::service

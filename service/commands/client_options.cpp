@@ -13,10 +13,6 @@ namespace rouleau::service {
 
 namespace {
 
-bool has_ended(const std::string& state) {
-  return state == "succeeded" || state == "failed" || state == "cancelled";
-}
-
 double number(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_number() ? found->get<double>() : 0.0;
@@ -32,22 +28,40 @@ Progress progress_of(const nlohmann::json& json) {
   return progress;
 }
 
-}  // namespace
-
-void add_client_options(CLI::App& command, ClientOptions& options) {
-  command.add_option("--server", options.server, "URL of the service")
-      ->envname("ROULEAU_SERVER")
-      ->capture_default_str();
-  command.add_option("--token", options.token, "Token, where the server asks for one")
-      ->envname("ROULEAU_TOKEN");
-}
-
-std::string job_path(const std::string& id) {
+const std::string& checked(const std::string& id, const char* of) {
   const bool plain = !id.empty() && std::all_of(id.begin(), id.end(), [](char c) {
     return std::isxdigit(static_cast<unsigned char>(c)) != 0 || c == '-';
   });
-  if (!plain) throw CommandError(exit_bad_input, id + " is not the id of a job");
-  return "/v1/jobs/" + id;
+  if (!plain) throw CommandError(exit_bad_input, id + " is not the id of " + of);
+  return id;
+}
+
+}  // namespace
+
+CLI::Option* add_client_options(CLI::App& command, ClientOptions& options) {
+  command.add_option("--token", options.token, "Token, where the server asks for one")
+      ->envname("ROULEAU_TOKEN");
+  command
+      .add_option("--patience", options.patience,
+                  "Seconds to keep asking a server that is busy, or has gone away meanwhile")
+      ->check(CLI::Range(0, 1'000'000))
+      ->capture_default_str();
+  return command.add_option("--server", options.server, "URL of the service")
+      ->envname("ROULEAU_SERVER")
+      ->capture_default_str();
+}
+
+std::string job_path(const std::string& id) {
+  return "/v1/jobs/" + checked(id, "a job");
+}
+
+std::string sweep_path(const std::string& id) {
+  return "/v1/sweeps/" + checked(id, "a sweep");
+}
+
+bool has_ended(const nlohmann::json& job) {
+  const auto& state = job.at("state");
+  return state == "succeeded" || state == "failed" || state == "cancelled";
 }
 
 nlohmann::json follow_job(ApiClient& client, const std::string& id) {
@@ -55,7 +69,7 @@ nlohmann::json follow_job(ApiClient& client, const std::string& id) {
   for (;;) {
     auto job = client.get(job_path(id) + "?wait=1s");
     if (const auto& progress = job["progress"]; progress.is_object()) line.show(progress_of(progress));
-    if (has_ended(job.at("state").get<std::string>())) return job;
+    if (has_ended(job)) return job;
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <chrono>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -14,16 +14,21 @@ namespace rouleau::service {
 struct ClientOptions {
   std::string server = "http://127.0.0.1:8080";
   std::string token;
+  int patience = 60;  ///< s
 
-  ApiClient connect() const { return {server, token}; }
+  ApiClient connect() const { return {server, token, std::chrono::seconds(patience)}; }
 };
 
-/// --server (or ROULEAU_SERVER) and --token (or ROULEAU_TOKEN).
-void add_client_options(CLI::App& command, ClientOptions& options);
+/// --server (or ROULEAU_SERVER), --token (or ROULEAU_TOKEN) and --patience.
+/// @return --server
+CLI::Option* add_client_options(CLI::App& command, ClientOptions& options);
 
 /// An id as part of a path.
 /// @throws CommandError (bad input) if it is none
 std::string job_path(const std::string& id);
+std::string sweep_path(const std::string& id);
+
+bool has_ended(const nlohmann::json& job);
 
 /// Follows a job until it has ended, showing its progress.
 /// @return the job

@@ -5,6 +5,7 @@
 
 #include "service/commands/client_options.h"
 #include "service/commands/command.h"
+#include "service/commands/job_filter.h"
 #include "service/commands/progress_line.h"
 #include "service/http/problem.h"
 
@@ -24,9 +25,18 @@ void print_line(const nlohmann::json& job) {
                            job.at("name").get<std::string>(), progress);
 }
 
-int status(const ClientOptions& options, const std::string& id, bool json) {
-  ApiClient client = options.connect();
-  const auto answer = client.get(id.empty() ? "/v1/jobs" : job_path(id));
+struct Options {
+  ClientOptions client;
+  std::string id;
+  JobFilter filter;
+  int most = 50;
+};
+
+int status(const Options& options, bool json) {
+  ApiClient client = options.client.connect();
+  const std::string& id = options.id;
+  const auto answer =
+      id.empty() ? newest_jobs(client, options.filter, options.most) : client.get(job_path(id));
   if (json) {
     std::cout << dump(answer) << '\n';
     return exit_done;
@@ -46,14 +56,16 @@ int status(const ClientOptions& options, const std::string& id, bool json) {
 
 void add_status(CLI::App& app, Action& action) {
   auto* const command = app.add_subcommand("status", "Show a job of a running service, or its newest jobs");
-  const auto options = std::make_shared<ClientOptions>();
-  const auto id = std::make_shared<std::string>();
-  command->add_option("ID", *id, "The job; without it, the newest 50");
+  const auto options = std::make_shared<Options>();
+  command->add_option("ID", options->id, "The job; without it, the newest");
+  command->add_option("-n,--most", options->most, "How many of the newest")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  add_job_filter(*command, options->filter, true);
   command->add_flag("--json", action.json, "Print as JSON");
-  add_client_options(*command, *options);
-  command->callback([&action, options, id] {
-    action.run = [&action, options, id] { return status(*options, *id, action.json); };
-  });
+  add_client_options(*command, options->client);
+  command->callback(
+      [&action, options] { action.run = [&action, options] { return status(*options, action.json); }; });
 }
 
 }  // namespace rouleau::service

@@ -6,6 +6,7 @@
 #include "service/commands/case_file.h"
 #include "service/commands/client_options.h"
 #include "service/commands/command.h"
+#include "service/commands/job_filter.h"
 #include "service/http/problem.h"
 
 namespace rouleau::service {
@@ -17,16 +18,16 @@ struct Options {
   std::string file;
   int priority = 0;
   std::vector<std::string> labels, settings;
+  std::string key;
+  bool fresh = false;
   bool wait = false;
 };
 
 nlohmann::json read_labels(const std::vector<std::string>& labels) {
   auto json = nlohmann::json::object();
   for (const std::string& label : labels) {
-    const auto equals = label.find('=');
-    if (equals == std::string::npos)
-      throw CommandError(exit_bad_input, "--label takes key=value, not " + label);
-    json[label.substr(0, equals)] = label.substr(equals + 1);
+    const auto [key, value] = read_label(label);
+    json[key] = value;
   }
   return json;
 }
@@ -35,9 +36,10 @@ int submit(const Options& options, bool json) {
   auto document = parse_json(read_case_file(options.file));
   apply_settings(document, options.settings);
   ApiClient client = options.client.connect();
-  auto job = client.post("/v1/jobs", {{"case", std::move(document)},
-                                      {"priority", options.priority},
-                                      {"labels", read_labels(options.labels)}});
+  nlohmann::json body{
+      {"case", std::move(document)}, {"priority", options.priority}, {"labels", read_labels(options.labels)}};
+  if (options.fresh) body["fresh"] = true;
+  auto job = client.post_once("/v1/jobs", body, options.key.empty() ? new_idempotency_key() : options.key);
   const std::string id = job.at("id");
   if (!options.wait) {
     if (json) {
@@ -62,6 +64,9 @@ void add_submit(CLI::App& app, Action& action) {
   command->add_option("--priority", options->priority, "-100 to 100; the higher runs first")
       ->capture_default_str();
   command->add_option("--label", options->labels, "key=value; may be repeated")->allow_extra_args(false);
+  command->add_flag("--fresh", options->fresh, "Compute it even if its result is there");
+  command->add_option("--idempotency-key", options->key,
+                      "A name for this submission: given again, it is not submitted again");
   command->add_flag("--wait", options->wait, "Wait until it has ended; exit code 1 if it failed");
   command->add_flag("--json", action.json, "Print the job as JSON");
   add_client_options(*command, options->client);
