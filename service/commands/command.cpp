@@ -48,6 +48,8 @@ int run_action(const Action& action) {
   } catch (const ServerError& error) {
     return report(error.what(), error.faults(), error.is_bad_input() ? exit_bad_input : exit_failed,
                   action.json);
+  } catch (const Problem& problem) {
+    return report(problem.detail(), problem.faults(), exit_bad_input, action.json);
   } catch (const CommandError& error) {
     return report(error.what(), {}, error.exit_code(), action.json);
   } catch (const std::exception& error) {
@@ -65,8 +67,9 @@ int run_command_line(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 1 the run failed, 2 bad input or usage.");
 
   Action action;
-  for (const auto add : {add_validate, add_plan, add_run, add_series, add_bench, add_serve, add_submit,
-                         add_status, add_wait, add_fetch, add_cancel}) {
+  for (const auto add :
+       {add_validate, add_plan, add_run, add_series, add_sweep, add_bench, add_serve, add_submit, add_status,
+        add_wait, add_fetch, add_job_actions, add_delete, add_queue}) {
     add(app, action);
   }
   try {

@@ -34,13 +34,16 @@ void add_validate(CLI::App& app, Action& action);
 void add_plan(CLI::App& app, Action& action);
 void add_run(CLI::App& app, Action& action);
 void add_series(CLI::App& app, Action& action);
+void add_sweep(CLI::App& app, Action& action);
 void add_bench(CLI::App& app, Action& action);
 void add_serve(CLI::App& app, Action& action);
 void add_submit(CLI::App& app, Action& action);
 void add_status(CLI::App& app, Action& action);
 void add_wait(CLI::App& app, Action& action);
 void add_fetch(CLI::App& app, Action& action);
-void add_cancel(CLI::App& app, Action& action);
+void add_job_actions(CLI::App& app, Action& action);  ///< cancel, pause, resume, retry
+void add_delete(CLI::App& app, Action& action);
+void add_queue(CLI::App& app, Action& action);
 
 /// Parses and runs; every error ends up on standard error as one block.
 /// @return the exit code

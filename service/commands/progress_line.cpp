@@ -41,19 +41,23 @@ void ProgressLine::redraw(const std::string& text) {
 }
 
 void ProgressLine::show(const Progress& progress) {
+  show(progress.fraction, describe(progress));
+}
+
+void ProgressLine::show(double fraction, const std::string& text) {
   if (terminal_) {
-    const int filled = static_cast<int>(std::clamp(progress.fraction, 0.0, 1.0) * bar_width);
+    const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * bar_width);
     redraw('[' + std::string(static_cast<std::size_t>(filled), '=') +
-           std::string(static_cast<std::size_t>(bar_width - filled), ' ') + "] " + describe(progress));
+           std::string(static_cast<std::size_t>(bar_width - filled), ' ') + "] " + text);
     return;
   }
   const auto now = Clock::now();
-  const bool far_enough = progress.fraction >= last_fraction_ + 0.1;
+  const bool far_enough = fraction >= last_fraction_ + 0.1;
   const bool long_enough = !last_time_ || now - *last_time_ >= std::chrono::seconds(2);
   if (!far_enough || !long_enough) return;
-  last_fraction_ = progress.fraction;
+  last_fraction_ = fraction;
   last_time_ = now;
-  std::cerr << describe(progress) << std::endl;
+  std::cerr << text << std::endl;
 }
 
 }  // namespace rouleau::service

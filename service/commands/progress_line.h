@@ -21,6 +21,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(const Progress& progress);
+  /// Anything of which a fraction is done.
+  void show(double fraction, const std::string& text);
 
  private:
   using Clock = std::chrono::steady_clock;

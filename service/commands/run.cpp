@@ -12,17 +12,15 @@
 #include "engine/case/case_json.h"
 #include "engine/error/checkpoint_error.h"
 #include "engine/plan/plan.h"
-#include "engine/simulation/run_failure.h"
 #include "service/commands/case_file.h"
 #include "service/commands/command.h"
 #include "service/commands/progress_line.h"
+#include "service/commands/resumable_run.h"
 #include "service/commands/run_summary_text.h"
 #include "service/http/problem.h"
 #include "service/interrupt.h"
 #include "service/known_machine.h"
 #include "service/queue/failure.h"
-#include "service/queue/fan_out.h"
-#include "storage/archive_writer.h"
 #include "storage/interrupted_run.h"
 
 namespace rouleau::service {
@@ -54,26 +52,6 @@ std::optional<storage::InterruptedRun> interrupted_run(const std::filesystem::pa
   }
 }
 
-/// Runs the case from its start or from where it was interrupted, and keeps checkpoints.
-RunSummary run_on(const Case& resolved, const Options& options, const std::filesystem::path& archive,
-                  storage::ArchiveWriter& writer, const std::stop_token& stop) {
-  const auto interrupted = options.resume ? interrupted_run(archive, resolved) : std::nullopt;
-  storage::CheckpointKeeper checkpoints(archive);
-  ProgressOutput progress;
-  std::vector<Output*> outputs{&writer, &checkpoints, &progress};
-  std::optional<storage::ResumedOutput> resumed;
-  if (interrupted) {
-    outputs.push_back(&resumed.emplace(*interrupted, writer));
-    std::cerr << fmt::format("going on from {:.4g} ms\n", 1e3 * interrupted->head.simulated_time);
-  } else {
-    checkpoints.remove();
-  }
-  FanOut output(outputs);
-  return run_case(resolved, output, stop,
-                  {interrupted ? &interrupted->checkpoint : nullptr, options.checkpoint_interval},
-                  KnownMachine(data_folder()).known());
-}
-
 int run(const Options& options, bool json) {
   std::stop_source stop;
   const InterruptHandler interrupts([&stop] { stop.request_stop(); });
@@ -85,20 +63,16 @@ int run(const Options& options, bool json) {
       options.archive.empty() ? std::filesystem::path(options.file).filename().replace_extension(".h5")
                               : std::filesystem::path(options.archive);
 
-  storage::ArchiveWriter writer(archive, options.settings.empty() ? given : dump(document));
-  std::optional<RunFailure> failure;
-  const RunSummary summary = [&] {
-    try {
-      return run_on(resolved, options, archive, writer, stop.get_token());
-    } catch (const RunFailure& error) {
-      failure = error;
-      return error.summary();
-    }
+  const auto interrupted = options.resume ? interrupted_run(archive, resolved) : std::nullopt;
+  if (interrupted)
+    std::cerr << fmt::format("going on from {:.4g} ms\n", 1e3 * interrupted->head.simulated_time);
+  const auto [summary, failure, file] = [&] {
+    ProgressOutput progress;
+    return run_resumable({archive, options.settings.empty() ? given : dump(document), resolved,
+                          options.checkpoint_interval, KnownMachine(data_folder()).known()},
+                         interrupted, progress, stop.get_token());
   }();
-  // A run that was interrupted, or failed, is kept as far as it came.
-  const storage::ArchiveFile file = writer.finish(summary);
   const bool stopped = summary.ending == Ending::stopped;
-  if (!stopped) storage::CheckpointKeeper(archive).remove();
   if (failure) std::cerr << "error: " << failure->what() << '\n';
   if (json) {
     nlohmann::json told = {{"archive", archive.string()},

@@ -1,3 +1,5 @@
+import os
+
 import pytest
 
 from rouleau_server import Server
@@ -7,3 +9,8 @@ from rouleau_server import Server
 def server(tmp_path_factory):
     with Server(tmp_path_factory.mktemp("service") / "data") as running:
         yield running
+
+
+@pytest.fixture
+def rouleau():
+    return os.environ["ROULEAU_BINARY"]

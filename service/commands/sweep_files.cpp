@@ -1,0 +1,32 @@
+#include "service/commands/sweep_files.h"
+
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+namespace rouleau::service {
+
+namespace {
+
+void write_whole(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path aside = file.string() + ".part";
+  std::ofstream stream(aside, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error("cannot write " + aside.string());
+  std::filesystem::rename(aside, file);
+}
+
+}  // namespace
+
+void write_sweep_files(const std::filesystem::path& folder, nlohmann::json about, const nlohmann::json& table,
+                       const std::string& csv) {
+  about["table"] = table;
+  write_whole(folder / "sweep.json",
+              about.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+  write_whole(folder / "table.csv", csv);
+}
+
+}  // namespace rouleau::service
