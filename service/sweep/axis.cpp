@@ -1,14 +1,15 @@
 #include "service/sweep/axis.h"
 
-#include <cmath>
-
 namespace rouleau::service {
 
 std::vector<double> evenly_spaced(double from, double to, std::size_t count) {
   std::vector<double> values(count, from);
-  for (std::size_t k = 1; k < count; ++k) {
-    values[k] = std::lerp(from, to, static_cast<double>(k) / static_cast<double>(count - 1));
+  const auto last = static_cast<double>(count) - 1;
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    // In this order 1e-6 to 3e-6 has 2e-6 in its middle, and nothing that only comes close to it.
+    values[k] = (from * (last - static_cast<double>(k)) + to * static_cast<double>(k)) / last;
   }
+  if (count > 1) values.back() = to;
   return values;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -27,19 +28,24 @@ std::optional<double> number_of(const nlohmann::json& axis, const char* key, con
   return std::nullopt;
 }
 
+/// 0 if there is none.
+std::uint64_t count_of(const nlohmann::json& axis) {
+  const auto found = axis.find("count");
+  if (found == axis.end() || !found->is_number_integer()) return 0;
+  // What is no unsigned number may be one all the same, if no parser made it.
+  if (found->is_number_unsigned()) return found->get<std::uint64_t>();
+  return static_cast<std::uint64_t>(std::max<std::int64_t>(found->get<std::int64_t>(), 0));
+}
+
 std::vector<nlohmann::json> read_span(const nlohmann::json& axis, const std::string& pointer,
                                       std::size_t most_points, std::vector<Fault>& faults) {
   const auto from = number_of(axis, "from", pointer, faults);
   const auto to = number_of(axis, "to", pointer, faults);
-  const auto count = axis.find("count");
-  if (count == axis.end() || !count->is_number_unsigned() || *count < 1u) {
-    faults.push_back({pointer + "/count", "must be a whole number of at least 1"});
-    return {};
-  }
-  if (!from || !to) return {};
+  const auto count = count_of(axis);
+  if (count == 0) faults.push_back({pointer + "/count", "must be a whole number of at least 1"});
+  if (!from || !to || count == 0) return {};
   // One more than may be is as far too many as whatever else was asked for.
-  const auto values =
-      evenly_spaced(*from, *to, std::min<std::size_t>(count->get<std::size_t>(), most_points + 1));
+  const auto values = evenly_spaced(*from, *to, std::min<std::uint64_t>(count, most_points + 1));
   return {values.begin(), values.end()};
 }
 

@@ -92,8 +92,9 @@ std::vector<Pointer> find_places(const SweepBody& sweep, Json& resolved) {
     if (parsed[a] && can_put(sweep.scene, resolved, *parsed[a])) {
       places.push_back(*parsed[a]);
     } else {
-      faults.push_back({pointer_to("/axes", a) + "/pointer",
-                        "names nothing that the case has, neither as it is given nor by default"});
+      faults.push_back(
+          {pointer_to("/axes", a) + "/pointer",
+           "names nothing that the case has, as it is given or by default; give it a value there"});
     }
   }
   if (!faults.empty()) {

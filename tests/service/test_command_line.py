@@ -30,7 +30,8 @@ def write_case(tmp_path):
 
 
 def test_help(call):
-    for command in ("validate", "plan", "run", "series", "bench", "serve", "submit", "status", "wait", "fetch", "cancel"):
+    for command in ("validate", "plan", "run", "series", "sweep", "bench", "serve", "submit", "status", "wait", "fetch", "cancel",
+                    "pause", "resume", "retry", "delete", "queue"):
         done = call(command, "--help")
         assert done.returncode == 0 and command in done.stdout
     assert call("--version").returncode == 0

@@ -124,6 +124,8 @@ TEST(CaseDocs, EveryExampleReadsAndIsListed) {
   int examples = 0;
   for (const auto& file : std::filesystem::directory_iterator(repository_root() + "docs/examples")) {
     const std::string name = file.path().filename();
+    // What is varied about a case, and who speaks to a service, are shown beside the cases.
+    if (name.starts_with("sweep") || file.path().extension() != ".json") continue;
     EXPECT_THAT(faults_of(std::string_view(repository_file("docs/examples/" + name))), ElementsAre()) << name;
     EXPECT_THAT(page, HasSubstr("(examples/" + name + ")"));
     ++examples;
