@@ -5,6 +5,7 @@
 #include <iostream>
 #include <optional>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <thread>
 #include <utility>
 
@@ -67,6 +68,14 @@ Router make_health_routes(const std::atomic<bool>& draining) {
   return router;
 }
 
+/// Each connection takes a descriptor, and the usual limit for a process is 1024.
+void raise_descriptor_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= limit.rlim_max) return;
+  limit.rlim_cur = limit.rlim_max;
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 /// Written aside and renamed: whoever sees it sees the whole number.
 void write_port_file(const std::filesystem::path& file, int port) {
   const std::filesystem::path part = file.string() + ".part";
@@ -79,8 +88,10 @@ void write_port_file(const std::filesystem::path& file, int port) {
 void serve(const ServeOptions& options) {
   // Before any thread is made, so that all of them leave these signals to `wait_for_interrupt`.
   block_interrupts();
+  raise_descriptor_limit();
   ServerSettings settings;
-  if (!options.token_file.empty()) settings.access = Access(read_tokens(options.token_file));
+  if (!options.token_file.empty())
+    settings.access = std::make_shared<Access>(read_tokens(options.token_file));
   ServerSettings health_settings;
   health_settings.threads = health_threads;
 

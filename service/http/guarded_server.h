@@ -1,29 +1,36 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 
 #include <httplib.h>
 
 #include "service/http/access.h"
 #include "service/http/connection.h"
+#include "service/http/gate.h"
 #include "service/http/problem.h"
 #include "service/http/router.h"
+#include "service/http/waiting_room.h"
 
 namespace rouleau::service {
 
 struct ServerSettings {
-  std::size_t threads = 64;
+  /// Half of them for requests that wait and for streams, which hold one each.
+  std::size_t threads = 128;
   RequestLimits limits;
   ConnectionTimeouts timeouts;
-  Access access;
+  RoomLimits room;
+  std::shared_ptr<const Access> access = std::make_shared<Access>();
 };
 
-/// cpp-httplib's server behind our own reading of connections and our own routes. It answers only what the
-/// router knows, and every error as a problem.
-class GuardedServer : private httplib::Server {
+/// cpp-httplib's reading of requests and writing of answers behind our own connections and our own routes.
+/// It answers only what the router knows, and every error as a problem. A thread is taken only by a request
+/// that is whole; the waiting room has all others.
+class GuardedServer : private httplib::Server, private Reception {
  public:
   GuardedServer(Router router, ServerSettings settings);
+  ~GuardedServer() override;
 
   /// Takes the address, without sharing it with another process.
   /// @param port 0: any that is free
@@ -31,21 +38,26 @@ class GuardedServer : private httplib::Server {
   /// @throws std::runtime_error if the address is in use or cannot be had
   int listen_on(const std::string& host, int port);
 
-  /// Answers until `stop`. Connections that are being served end first.
-  void serve() { listen_after_bind(); }
+  /// Answers until `stop`. What is being answered ends first.
+  void serve();
 
   /// From any thread, also before `serve` or twice.
   void stop();
 
+  std::size_t connections() const { return room_.connections(); }
+
  private:
-  bool process_and_close_socket(socket_t socket) override;
-  bool answer_one(Connection& connection);
-  bool admit(const httplib::Request& request, httplib::Response& response) const;
-  void dispatch(const httplib::Request& request, httplib::Response& response) const;
-  Router::Match route(const httplib::Request& request) const;
+  void admit(Connection& connection) override;
+  std::string refusal(const Connection& connection, const Problem& problem) override;
+  void serve(std::unique_ptr<Connection> connection) override;
+  bool answer(Connection& connection);
 
   Router router_;
-  ServerSettings settings_;
+  const ServerSettings settings_;
+  Gate gate_;
+  WaitingRoom room_;
+  std::unique_ptr<httplib::ThreadPool> pool_;
+  int listener_ = INVALID_SOCKET;
 };
 
 /// Writes a problem as the answer.

@@ -66,6 +66,10 @@ const ProblemKind internal{"internal", 500, "Something went wrong here",
                            "A fault of the server; its log tells more under the request id."};
 const ProblemKind draining{"draining", 503, "The server is shutting down",
                            "The server takes no new jobs now. Try again after `Retry-After` seconds."};
+const ProblemKind too_many_connections{
+    "too-many-connections", 503, "Too many connections",
+    "The server, or one address, has as many connections as it takes. Close those that are idle, and try "
+    "again after `Retry-After` seconds."};
 const ProblemKind unavailable{"unavailable", 503, "Nothing can be stored now",
                               "The disk is full or refuses; the job was not accepted. Try again later."};
 
@@ -95,6 +99,7 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &headers_too_large,
                                                      &internal,
                                                      &draining,
+                                                     &too_many_connections,
                                                      &unavailable};
   return kinds;
 }

@@ -21,10 +21,30 @@ struct ProblemKind {
 };
 
 namespace problems {
-extern const ProblemKind bad_request, invalid_json, invalid_request, invalid_case, unknown_column,
-    unauthorized, cross_origin, unknown_host, not_found, method_not_allowed, request_timeout, not_finished,
-    invalid_transition, length_required, payload_too_large, uri_too_long, unsupported_media_type,
-    range_not_satisfiable, sweep_too_large, headers_too_large, internal, draining, unavailable;
+extern const ProblemKind bad_request;
+extern const ProblemKind invalid_json;
+extern const ProblemKind invalid_request;
+extern const ProblemKind unknown_column;
+extern const ProblemKind unauthorized;
+extern const ProblemKind cross_origin;
+extern const ProblemKind not_found;
+extern const ProblemKind method_not_allowed;
+extern const ProblemKind request_timeout;
+extern const ProblemKind not_finished;
+extern const ProblemKind invalid_transition;
+extern const ProblemKind length_required;
+extern const ProblemKind payload_too_large;
+extern const ProblemKind uri_too_long;
+extern const ProblemKind unsupported_media_type;
+extern const ProblemKind range_not_satisfiable;
+extern const ProblemKind unknown_host;
+extern const ProblemKind invalid_case;
+extern const ProblemKind sweep_too_large;
+extern const ProblemKind headers_too_large;
+extern const ProblemKind internal;
+extern const ProblemKind draining;
+extern const ProblemKind too_many_connections;
+extern const ProblemKind unavailable;
 }  // namespace problems
 
 /// Every kind there is, in order of status.

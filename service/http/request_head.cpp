@@ -147,8 +147,26 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
   return head;
 }
 
+std::string path_of(std::string_view target) {
+  const std::string_view raw = target.substr(0, target.find_first_of("?#"));
+  std::string path;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    unsigned char byte = 0;
+    const auto digits = raw.substr(std::min(i + 1, raw.size()), 2);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+    if (raw[i] == '%' && digits.size() == 2 && error == std::errc{} && end == digits.data() + 2) {
+      path += static_cast<char>(byte);
+      i += 2;
+    } else {
+      path += raw[i];
+    }
+  }
+  return path;
+}
+
 std::string head_for_httplib(const RequestHead& head) {
-  static constexpr std::array<std::string_view, 3> hidden{"Range", "Accept-Encoding", "Content-Length"};
+  static constexpr std::array<std::string_view, 4> hidden{"Range", "Accept-Encoding", "Content-Length",
+                                                          "Expect"};
   std::string text = head.method + ' ' + head.target + ' ' + head.version + "\r\n";
   for (const auto& header : head.headers) {
     if (std::any_of(hidden.begin(), hidden.end(),

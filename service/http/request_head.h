@@ -35,9 +35,12 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
 
 /// The head as cpp-httplib may see it: without `Range`, which it would apply without clamping (bytes past
 /// the end are foreign memory), without `Accept-Encoding` (it would squeeze every answer with brotli at its
-/// slowest, which costs more than the loopback saves), and with a `Content-Length` wherever it would
-/// otherwise read to the end of the connection.
+/// slowest, which costs more than the loopback saves), without `Expect`, which has been answered, and with a
+/// `Content-Length` wherever it would otherwise read to the end of the connection.
 std::string head_for_httplib(const RequestHead& head);
+
+/// The path that a target names, %xx decoded; nothing but a path is decoded so.
+std::string path_of(std::string_view target);
 
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 

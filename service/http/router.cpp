@@ -46,7 +46,7 @@ std::optional<std::map<std::string, std::string>> fits(const std::vector<std::st
 }  // namespace
 
 void Router::add(std::string method, std::string_view pattern, Handler handler, Body body) {
-  routes_.push_back({std::move(method), split(pattern), body, std::move(handler)});
+  routes_.push_back({std::move(method), std::string(pattern), split(pattern), body, std::move(handler)});
 }
 
 Router::Match Router::find(std::string_view method, std::string_view path) const {

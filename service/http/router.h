@@ -15,6 +15,7 @@ struct Call {
   const httplib::Request& request;
   std::map<std::string, std::string> parts;  ///< what stood for each {name} of the route
   std::string request_id;
+  std::string caller;  ///< name of the token; "" where none is needed
 
   const std::string& part(const std::string& name) const { return parts.at(name); }
 };
@@ -26,6 +27,7 @@ enum class Body { none, json };
 
 struct Route {
   std::string method;
+  std::string pattern;
   std::vector<std::string> segments;  ///< "{id}" matches any one segment, "{id}:cancel" one that ends so
   Body body = Body::none;
   Handler handler;

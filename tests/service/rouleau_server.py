@@ -147,11 +147,15 @@ class Server:
         return self.wait(job_id, lambda job: job["state"] == "running" and job["progress"])
 
     def raw(self, text, patience=10):
-        """Sends bytes as they are; what comes back until the server closes."""
+        """Sends bytes as they are and no more; what comes back until the server closes."""
         if isinstance(text, str):
             text = text.encode("latin-1")
         with socket.create_connection(("127.0.0.1", self.port), timeout=patience) as connection:
-            connection.sendall(text)
+            try:
+                connection.sendall(text)
+                connection.shutdown(socket.SHUT_WR)
+            except OSError:
+                pass  # refused before all of it was taken; the answer is there
             received = b""
             while True:
                 try:

@@ -3,35 +3,15 @@
 #include <atomic>
 #include <filesystem>
 #include <stdexcept>
-#include <thread>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "service/api/service.h"
+#include "tests/unit/service/listening.h"
 
 namespace rouleau::service {
 namespace {
-
-/// A server on a port of its own, for as long as a test lasts.
-class Listening {
- public:
-  explicit Listening(Router router)
-      : server_(std::move(router), ServerSettings()), port_(server_.listen_on("127.0.0.1", 0)) {
-    thread_ = std::thread([this] { server_.serve(); });
-  }
-  ~Listening() {
-    server_.stop();
-    thread_.join();
-  }
-  int port() const { return port_; }
-  httplib::Client client() const { return httplib::Client("127.0.0.1", port_); }
-
- private:
-  GuardedServer server_;
-  int port_;
-  std::thread thread_;
-};
 
 TEST(GuardedServer, TellsNothingOfAnUnexpectedException) {
   Router router;
