@@ -50,6 +50,7 @@ Router make_routes(Service& service, const std::filesystem::path& web) {
   Router router;
   add_jobs(router, service);
   add_job(router, service);
+  add_queue(router, service);
   add_series(router, service);
   add_frames(router, service);
   add_probes(router, service);
@@ -103,7 +104,7 @@ void serve(const ServeOptions& options) {
   }
   KnownMachine machine(options.data);
   Queue queue(store, options.data / "archives", machine);
-  Service service{store, queue, draining, machine};
+  Service service{store, queue, draining, machine, QueueRoom(store, options.most_queued)};
   RunningServer api(make_routes(service, options.web), std::move(settings), options.host, options.port);
 
   // Only now that the addresses are ours is a job touched.

@@ -11,6 +11,7 @@ struct ServeOptions {
   int health_port = 8081;
   std::filesystem::path data;
   int workers = 1;
+  int most_queued = 100'000;         ///< jobs that may wait
   std::filesystem::path token_file;  ///< empty: no token is asked for
   std::filesystem::path port_file;   ///< empty: none is written
   std::filesystem::path web;         ///< empty: the page built with this program

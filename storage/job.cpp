@@ -8,8 +8,8 @@ namespace rouleau::storage {
 
 namespace {
 
-constexpr std::array<std::string_view, all_job_states.size()> names{"queued",    "running", "cancelling",
-                                                                    "succeeded", "failed",  "cancelled"};
+constexpr std::array<std::string_view, all_job_states.size()> names{
+    "queued", "running", "paused", "cancelling", "succeeded", "failed", "cancelled"};
 
 }  // namespace
 

@@ -12,8 +12,11 @@ namespace rouleau::storage {
 namespace {
 
 constexpr std::string_view job_columns =
-    "SELECT id, state, name, case_hash, labels, priority, attempt, created_at, started_at, ended_at, "
-    "not_before, progress, plan, summary, error, archive_size, archive_sha256 "
+    "SELECT id, state, name, case_hash, labels, lane, priority, fresh, sweep, sweep_index, follows, "
+    "result_of, "
+    "attempt, setbacks, pause_requested, created_at, started_at, ended_at, not_before, progress, plan, "
+    "summary, "
+    "error, archive_id, archive_size, archive_sha256 "
     "FROM jobs JOIN job_inputs ON job_id = id ";
 
 std::optional<std::int64_t> optional_integer(const SQLite::Column& column) {
@@ -41,8 +44,17 @@ Job job_of(const SQLite::Statement& row) {
   job.name = next().getString();
   job.case_hash = next().getString();
   job.labels = next().getString();
+  job.lane = next().getString();
   job.priority = next().getInt();
+  job.fresh = next().getInt() != 0;
+  const auto sweep = optional_text(next());
+  const int index = next().getInt();
+  if (sweep) job.place = SweepPlace{*sweep, index};
+  job.follows = optional_text(next());
+  job.result_of = optional_text(next());
   job.attempt = next().getInt();
+  job.setbacks = next().getInt();
+  job.pause_requested = next().getInt() != 0;
   job.created_at = next().getInt64();
   job.started_at = optional_integer(next());
   job.ended_at = optional_integer(next());
@@ -51,6 +63,7 @@ Job job_of(const SQLite::Statement& row) {
   job.plan = next().getString();
   job.summary = optional_text(next());
   job.error = optional_text(next());
+  job.archive_id = optional_text(next());
   job.archive_size = optional_integer(next());
   job.archive_sha256 = optional_text(next());
   return job;
@@ -65,6 +78,7 @@ std::string page_statement(const JobQuery& query) {
     for (std::size_t i = 1; i < query.states.size(); ++i) sql += ", ?";
     sql += ") ";
   }
+  if (!query.sweep.empty()) sql += "AND sweep = ? ";
   for (std::size_t i = 0; i < query.labels.size(); ++i) {
     sql += "AND EXISTS (SELECT 1 FROM json_each(labels) AS label WHERE label.key = ? AND label.value = ?) ";
   }
@@ -96,6 +110,7 @@ JobPage select_page(SQLite::Database& database, const JobQuery& query) {
   int index = 1;
   if (!query.page_token.empty()) select.bind(index++, query.page_token);
   for (const JobState state : query.states) select.bind(index++, std::string(to_string(state)));
+  if (!query.sweep.empty()) select.bind(index++, query.sweep);
   for (const auto& [key, value] : query.labels) {
     select.bind(index++, key);
     select.bind(index++, value);

@@ -40,4 +40,10 @@ class InvalidTransition : public std::runtime_error {
   JobState state_;
 };
 
+/// A key that was used before for something else.
+class IdempotencyMismatch : public std::runtime_error {
+ public:
+  IdempotencyMismatch() : std::runtime_error("the key was used before for another request") {}
+};
+
 }  // namespace rouleau::storage

@@ -233,10 +233,6 @@ class Run {
 
 }  // namespace
 
-const char* engine_version() {
-  return ROULEAU_VERSION;
-}
-
 RunSummary run_case(const Case& resolved, Output& output, const std::stop_token& stop,
                     const Continuation& continuation, const Machine& machine) {
   Run run(resolved, output, continuation, machine);

@@ -9,7 +9,8 @@
 
 namespace rouleau {
 
-/// The engine's version; the same version and the same case give the same bits.
+/// The engine's version and a digest of its sources: the same version and the same case give the same bits.
+/// Written when it is built.
 const char* engine_version();
 
 /// How a run can be interrupted and taken up again.

@@ -10,7 +10,6 @@
 #include "service/http/byte_range.h"
 #include "service/http/guarded_server.h"
 #include "service/http/problem.h"
-#include "service/queue/attempt.h"
 #include "storage/archive_writer.h"
 
 namespace rouleau::service {
@@ -28,7 +27,7 @@ ByteRange wanted_range(const Call& call, const std::string& etag, std::uint64_t 
 void get_archive(Service& service, const Call& call, httplib::Response& response) {
   check_query(call, {});
   const storage::Job job = find_finished(service, call);
-  const auto file = archive_path(service.queue.archives(), job.id);
+  const auto file = archive_of(service, job);
   if (!std::filesystem::exists(file)) throw Problem(problems::not_found, "the archive has been removed");
   const auto size = static_cast<std::uint64_t>(job.archive_size.value_or(0));
   const std::string etag = '"' + job.archive_sha256.value_or("") + '"';
@@ -58,10 +57,17 @@ void get_archive(Service& service, const Call& call, httplib::Response& response
 void get_sidecar(Service& service, const Call& call, httplib::Response& response) {
   check_query(call, {});
   const storage::Job job = find_finished(service, call);
-  std::ifstream file(storage::sidecar_path(archive_path(service.queue.archives(), job.id)), std::ios::binary);
+  std::ifstream file(storage::sidecar_path(archive_of(service, job)), std::ios::binary);
   if (!file) throw Problem(problems::not_found, "this archive has no .xdmf");
   response.set_header("Content-Disposition", "attachment; filename=\"" + job.id + ".xdmf\"");
-  response.set_content(std::string(std::istreambuf_iterator<char>(file), {}), "application/xml");
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  // Jobs that share an archive call it by their own names.
+  const std::string stored = job.archive_id.value_or("") + ".h5";
+  for (auto at = text.find(stored); at != std::string::npos; at = text.find(stored, at)) {
+    text.replace(at, stored.size(), job.id + ".h5");
+    at += stored.size();
+  }
+  response.set_content(text, "application/xml");
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "engine/case/case_json.h"
-#include "storage/sha256.h"
 
 namespace rouleau::service {
 
@@ -29,10 +28,6 @@ PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer
                   "the case has " + std::to_string(count) + (count == 1 ? " fault" : " faults"),
                   std::move(faults));
   }
-}
-
-std::string case_hash(const Case& resolved) {
-  return storage::sha256_hex(to_json(resolved).dump());
 }
 
 }  // namespace rouleau::service

@@ -25,7 +25,4 @@ struct PlannedCase {
 PlannedCase plan_case(const nlohmann::json& document, const std::string& pointer,
                       KnownMachine* machine = nullptr);
 
-/// The hash under which a case is known: of its resolved form.
-std::string case_hash(const Case& resolved);
-
 }  // namespace rouleau::service

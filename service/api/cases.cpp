@@ -3,6 +3,7 @@
 #include "engine/case/case_json.h"
 #include "service/api/case_body.h"
 #include "service/api/service.h"
+#include "service/case_hash.h"
 #include "service/http/guarded_server.h"
 
 namespace rouleau::service {

@@ -13,6 +13,7 @@
 #include "service/http/guarded_server.h"
 #include "service/http/problem.h"
 #include "service/log.h"
+#include "service/queue/attempt.h"
 
 namespace rouleau::service {
 
@@ -101,6 +102,10 @@ storage::Job find_finished(Service& service, const Call& call) {
     throw Problem(problems::not_finished, storage::has_ended(job.state) ? is + " and left no archive" : is);
   }
   return job;
+}
+
+std::filesystem::path archive_of(const Service& service, const storage::Job& job) {
+  return archive_path(service.queue.archives(), job.archive_id.value());
 }
 
 nlohmann::json job_in_full(Service& service, const storage::Job& job) {

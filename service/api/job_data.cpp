@@ -1,12 +1,10 @@
 #include "service/api/job_data.h"
 
-#include "service/queue/attempt.h"
-
 namespace rouleau::service {
 
 JobData::JobData(Service& service, const storage::Job& job) {
   if (job.archive_size) {
-    archive_.emplace(archive_path(service.queue.archives(), job.id));
+    archive_.emplace(archive_of(service, job));
   } else {
     live_ = service.queue.live().find(job.id);
   }

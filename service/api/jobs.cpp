@@ -14,28 +14,61 @@ namespace rouleau::service {
 
 namespace {
 
-storage::Job store(Service& service, storage::NewJob job) {
+storage::Submission store(Service& service, storage::NewJob job,
+                          const std::optional<storage::IdempotencyKey>& key) {
   try {
-    return service.store.submit(std::move(job));
+    return service.store.submit(std::move(job), key);
+  } catch (const storage::IdempotencyMismatch& error) {
+    throw Problem(problems::idempotency_mismatch, error.what());
   } catch (const storage::StoreError& error) {
     throw Problem(problems::unavailable, error.what());
   }
+}
+
+/// A job as it was when it had just been submitted.
+storage::Job as_submitted(storage::Job job) {
+  const bool succeeded_at_once = job.result_of && job.ended_at == job.created_at;
+  if (succeeded_at_once) return job;
+  storage::Job first;
+  first.id = job.id;
+  first.name = job.name;
+  first.case_hash = job.case_hash;
+  first.labels = job.labels;
+  first.lane = job.lane;
+  first.priority = job.priority;
+  first.fresh = job.fresh;
+  first.created_at = job.created_at;
+  first.plan = job.plan;
+  return first;
 }
 
 void submit(Service& service, const Call& call, httplib::Response& response) {
   if (service.draining)
     throw Problem(problems::draining, "no new jobs are taken while the server shuts down");
   check_query(call, {});
-  const storage::Job job = store(service, read_new_job(call.request.body, service.machine));
-  service.queue.wake();
-  log::info("job accepted", {{"request", call.request_id}, {"job", job.id}, {"name", job.name}});
+  const auto key = idempotency_key(call);
+  const KeysInFlight::Hold hold(service.keys, key);
+  storage::NewJob wanted = read_new_job(call, service.machine);
+  service.room.enter(1);
+  auto [job, replayed] = store(service, std::move(wanted), key);
+  if (replayed) {
+    job = as_submitted(std::move(job));
+    response.set_header("Idempotency-Replayed", "true");
+  } else {
+    service.queue.wake();
+    log::info("job accepted", {{"request", call.request_id},
+                               {"caller", call.caller},
+                               {"job", job.id},
+                               {"name", job.name},
+                               {"result_of", job.result_of.value_or("")}});
+  }
   response.set_header("Location", "/v1/jobs/" + job.id);
   response.set_header("Retry-After", "1");
   answer_json(job_in_full(service, job), response, 202);
 }
 
 storage::JobQuery read_list_query(const Call& call) {
-  check_query(call, {"page_size", "page_token"}, {"state", "label"});
+  check_query(call, {"page_size", "page_token", "sweep"}, {"state", "label"});
   storage::JobQuery wanted;
   std::vector<Fault> faults;
   const auto [first_state, last_state] = call.request.params.equal_range("state");
@@ -45,8 +78,8 @@ storage::JobQuery read_list_query(const Call& call) {
         wanted.states.push_back(*state);
       } else {
         faults.push_back({"?state",
-                          "no state of this name; there are queued, running, cancelling, succeeded, "
-                          "failed, cancelled"});
+                          "no state of this name; there are queued, running, paused, cancelling, "
+                          "succeeded, failed, cancelled"});
       }
     }
   }
@@ -61,6 +94,7 @@ storage::JobQuery read_list_query(const Call& call) {
   }
   if (!faults.empty()) throw Problem(problems::invalid_request, "the query is not valid", std::move(faults));
   wanted.page_size = query_integer(call, "page_size", 1, 1000).value_or(wanted.page_size);
+  wanted.sweep = query(call, "sweep").value_or("");
   wanted.page_token = query(call, "page_token").value_or("");
   return wanted;
 }

@@ -6,6 +6,7 @@
 #include "engine/case/case_json.h"
 #include "engine/case/faults.h"
 #include "service/api/case_body.h"
+#include "service/case_hash.h"
 
 namespace rouleau::service {
 
@@ -49,8 +50,13 @@ void read_labels(const nlohmann::json& value, storage::NewJob& job, std::vector<
 
 }  // namespace
 
-storage::NewJob read_new_job(const std::string& body, KnownMachine& machine) {
-  const nlohmann::json document = read_body(body);
+std::string lane_of(const std::string& caller, const std::string& labels) {
+  if (!caller.empty()) return caller;
+  return nlohmann::json::parse(labels).value("lane", "");
+}
+
+storage::NewJob read_new_job(const Call& call, KnownMachine& machine) {
+  const nlohmann::json document = read_body(call.request.body);
   if (!document.is_object())
     throw Problem(problems::invalid_request, "the body must be an object", {{"", "must be an object"}});
 
@@ -61,8 +67,13 @@ storage::NewJob read_new_job(const std::string& body, KnownMachine& machine) {
       read_priority(value, job, faults);
     } else if (key == "labels") {
       read_labels(value, job, faults);
+    } else if (key == "fresh") {
+      if (!value.is_boolean())
+        faults.push_back({"/fresh", "must be true or false"});
+      else
+        job.fresh = value.get<bool>();
     } else if (key != "case") {
-      faults.push_back({pointer_to("", key), "unknown key; allowed: case, priority, labels"});
+      faults.push_back({pointer_to("", key), "unknown key; allowed: case, priority, labels, fresh"});
     }
   }
   if (!document.contains("case")) {
@@ -72,6 +83,7 @@ storage::NewJob read_new_job(const std::string& body, KnownMachine& machine) {
   try {
     const PlannedCase planned = plan_case(document["case"], "/case", &machine);
     job.name = planned.resolved.name;
+    job.case_hash = case_hash(planned.resolved);
     job.case_given = document["case"].dump();
     job.case_resolved = to_json(planned.resolved).dump();
     job.plan = to_json(planned.plan).dump();
@@ -80,6 +92,7 @@ storage::NewJob read_new_job(const std::string& body, KnownMachine& machine) {
     throw Problem(problem.kind(), problem.detail(), std::move(faults));
   }
   if (!faults.empty()) throw Problem(problems::invalid_request, "the body is not a job", std::move(faults));
+  job.lane = lane_of(call.caller, job.labels);
   return job;
 }
 

@@ -2,13 +2,18 @@
 
 #include <string>
 
+#include "service/http/router.h"
 #include "service/known_machine.h"
 #include "storage/job.h"
 
 namespace rouleau::service {
 
-/// Reads the body of POST /v1/jobs: `{ "case": {...}, "priority"?, "labels"? }`.
+/// Reads the body of POST /v1/jobs: `{ "case": {...}, "priority"?, "labels"?, "fresh"? }`.
 /// @throws Problem 400 or 422 with every fault
-storage::NewJob read_new_job(const std::string& body, KnownMachine& machine);
+storage::NewJob read_new_job(const Call& call, KnownMachine& machine);
+
+/// Among jobs of one priority the lanes take turns: the caller's, or else the one that label `lane` names.
+/// @param labels JSON object of texts
+std::string lane_of(const std::string& caller, const std::string& labels);
 
 }  // namespace rouleau::service

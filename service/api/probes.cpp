@@ -19,7 +19,7 @@ namespace {
 
 storage::ArchiveReader open_archive(Service& service, const Call& call) {
   const storage::Job job = find_finished(service, call);
-  return storage::ArchiveReader(archive_path(service.queue.archives(), job.id));
+  return storage::ArchiveReader(archive_of(service, job));
 }
 
 /// [T][points]; what is not finite is null.

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "service/api/idempotency.h"
+#include "service/api/queue_room.h"
 #include "service/http/router.h"
 #include "service/known_machine.h"
 #include "service/queue/queue.h"
@@ -17,11 +20,14 @@ struct Service {
   Queue& queue;
   std::atomic<bool>& draining;
   KnownMachine& machine;
+  QueueRoom room;
+  KeysInFlight keys{};
   std::atomic<int> waiting = 0;  ///< requests that wait for a change
 };
 
 // One file a resource; each adds its routes.
 void add_jobs(Router& router, Service& service);     ///< /v1/jobs
+void add_queue(Router& router, Service& service);    ///< /v1/queue
 void add_job(Router& router, Service& service);      ///< /v1/jobs/{id} and what can be done to it
 void add_series(Router& router, Service& service);   ///< /v1/jobs/{id}/series
 void add_frames(Router& router, Service& service);   ///< /v1/jobs/{id}/frames
@@ -39,6 +45,9 @@ storage::Job find_job(Service& service, const Call& call);
 /// The same, once its archive is there: it has succeeded, or gone unstable on its way.
 /// @throws Problem 404, 409 not-finished
 storage::Job find_finished(Service& service, const Call& call);
+
+/// The archive of a job that has one.
+std::filesystem::path archive_of(const Service& service, const storage::Job& job);
 
 /// A job with its plan and its resolved case.
 nlohmann::json job_in_full(Service& service, const storage::Job& job);

@@ -32,6 +32,9 @@ void add_serve(CLI::App& app, Action& action) {
   command->add_option("--workers", options->workers, "Jobs run at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--max-queued", options->most_queued, "Jobs that may wait; beyond them 503 queue-full")
+      ->check(CLI::Range(1, 100'000'000))
+      ->capture_default_str();
   command->add_option("--token-file", options->token_file, "Tokens that may call, one a line");
   command->add_option("--port-file", options->port_file, "Write the port here once it answers");
   command->add_option("--web", options->web,

@@ -44,6 +44,7 @@ void answer(const Problem& problem, const std::string& request_id, httplib::Resp
   response.status = problem.kind().status;
   response.set_content(dump(to_json(problem, request_id)), "application/problem+json");
   if (problem.kind().status == 503) response.set_header("Retry-After", "5");
+  if (&problem.kind() == &problems::idempotency_in_progress) response.set_header("Retry-After", "1");
   if (problem.kind().status == 401) response.set_header("WWW-Authenticate", "Bearer");
 }
 

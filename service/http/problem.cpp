@@ -37,6 +37,9 @@ const ProblemKind not_finished{"not-finished", 409, "The job has no archive",
                                "`GET /v1/jobs/{id}?wait=20s`."};
 const ProblemKind invalid_transition{"invalid-transition", 409, "Not possible in this state",
                                      "A job that has ended cannot be cancelled."};
+const ProblemKind idempotency_in_progress{
+    "idempotency-in-progress", 409, "The same request is being worked on",
+    "Another request with this `Idempotency-Key` has not been answered yet. Wait and send it again."};
 const ProblemKind length_required{
     "length-required", 411, "Content-Length is needed",
     "Bodies are taken with a Content-Length only; chunked transfer encoding is not."};
@@ -60,6 +63,9 @@ const ProblemKind invalid_case{
 const ProblemKind sweep_too_large{"sweep-too-large", 422, "The sweep has too many points",
                                   "The axes span more points than this server takes in one sweep, or these "
                                   "together are too long. Submit it in parts."};
+const ProblemKind idempotency_mismatch{
+    "idempotency-mismatch", 422, "The key stands for another request",
+    "This `Idempotency-Key` was used before with another body or at another address. Take a new key."};
 const ProblemKind headers_too_large{"headers-too-large", 431, "Too many or too large headers",
                                     "The request's headers are more, or longer, than are read here."};
 const ProblemKind internal{"internal", 500, "Something went wrong here",
@@ -70,6 +76,9 @@ const ProblemKind too_many_connections{
     "too-many-connections", 503, "Too many connections",
     "The server, or one address, has as many connections as it takes. Close those that are idle, and try "
     "again after `Retry-After` seconds."};
+const ProblemKind queue_full{"queue-full", 503, "Too many jobs wait",
+                             "The queue has no room. Try again after `Retry-After` seconds, or let whoever "
+                             "runs the server raise `--max-queued`."};
 const ProblemKind unavailable{"unavailable", 503, "Nothing can be stored now",
                               "The disk is full or refuses; the job was not accepted. Try again later."};
 
@@ -88,6 +97,7 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &request_timeout,
                                                      &not_finished,
                                                      &invalid_transition,
+                                                     &idempotency_in_progress,
                                                      &length_required,
                                                      &payload_too_large,
                                                      &uri_too_long,
@@ -96,10 +106,12 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &unknown_host,
                                                      &invalid_case,
                                                      &sweep_too_large,
+                                                     &idempotency_mismatch,
                                                      &headers_too_large,
                                                      &internal,
                                                      &draining,
                                                      &too_many_connections,
+                                                     &queue_full,
                                                      &unavailable};
   return kinds;
 }

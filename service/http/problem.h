@@ -32,6 +32,7 @@ extern const ProblemKind method_not_allowed;
 extern const ProblemKind request_timeout;
 extern const ProblemKind not_finished;
 extern const ProblemKind invalid_transition;
+extern const ProblemKind idempotency_in_progress;
 extern const ProblemKind length_required;
 extern const ProblemKind payload_too_large;
 extern const ProblemKind uri_too_long;
@@ -40,10 +41,12 @@ extern const ProblemKind range_not_satisfiable;
 extern const ProblemKind unknown_host;
 extern const ProblemKind invalid_case;
 extern const ProblemKind sweep_too_large;
+extern const ProblemKind idempotency_mismatch;
 extern const ProblemKind headers_too_large;
 extern const ProblemKind internal;
 extern const ProblemKind draining;
 extern const ProblemKind too_many_connections;
+extern const ProblemKind queue_full;
 extern const ProblemKind unavailable;
 }  // namespace problems
 

@@ -39,6 +39,7 @@ class Queue {
   /// Stops the runs, gives their jobs back to the queue and returns when all workers have ended.
   void drain();
 
+  int workers() const { return static_cast<int>(workers_.size()); }
   LiveJobs& live() { return live_; }
   SignalBoard& changes() { return changes_; }
   const std::filesystem::path& archives() const { return archives_; }

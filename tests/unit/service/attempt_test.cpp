@@ -46,7 +46,9 @@ class AttemptAtAJob : public testing::Test {
     storage::NewJob job;
     job.case_given = job.case_resolved = text;
     job.plan = "{}";
-    return store_->submit(job).id;
+    job.case_hash = storage::sha256_hex(text);
+    job.fresh = true;
+    return store_->submit(job).job.id;
   }
   Attempt begin() { return {*store_, live_, archives_, machine_, store_->claim("test", lease_time).value()}; }
   storage::Job job() { return store_->find(id_).value(); }

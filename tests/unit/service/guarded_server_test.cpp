@@ -54,7 +54,7 @@ TEST(Jobs, AreNotTakenWhileDraining) {
     KnownMachine machine(folder);
     Queue queue(store, folder / "archives", machine);
     std::atomic<bool> draining = true;
-    Service service{store, queue, draining, machine};
+    Service service{store, queue, draining, machine, QueueRoom(store, 1)};
     Router router;
     add_jobs(router, service);
     const Listening server(std::move(router));

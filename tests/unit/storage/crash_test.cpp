@@ -18,7 +18,7 @@ void submit_for_ever(const std::filesystem::path& folder, const ChildProcess::Te
   std::vector<std::thread> threads;
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&] {
-      while (true) tell(store.submit(plain_job()).id);
+      while (true) tell(store.submit(plain_job()).job.id);
     });
   }
   for (auto& thread : threads) thread.join();

@@ -23,17 +23,17 @@ NewJob large_job() {
 std::string fill_and_go_on(const std::filesystem::path& folder, StoreError::Kind expected,
                            const std::function<void()>& fill, const std::function<void()>& make_room) {
   JobStore store(folder);
-  std::vector<std::string> accepted{store.submit(plain_job()).id};
+  std::vector<std::string> accepted{store.submit(plain_job()).job.id};
   fill();
   try {
-    for (int i = 0; i < enough_to_fill_the_disk; ++i) accepted.push_back(store.submit(large_job()).id);
+    for (int i = 0; i < enough_to_fill_the_disk; ++i) accepted.push_back(store.submit(large_job()).job.id);
     return "never full";
   } catch (const StoreError& error) {
     if (error.kind() != expected) return std::string("wrong kind: ") + error.what();
   }
   if (!store.find(accepted.front())) return "no reading while full";
   make_room();
-  accepted.push_back(store.submit(plain_job()).id);
+  accepted.push_back(store.submit(plain_job()).job.id);
   for (const std::string& id : accepted) {
     if (!store.find(id)) return "lost " + id;
   }

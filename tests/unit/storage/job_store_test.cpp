@@ -19,14 +19,14 @@ TEST(JobStore, GivesBackWhatWasSubmitted) {
   JobStore store(folder.path(), time.clock());
   NewJob submitted = plain_job("first", 3);
   submitted.labels = R"({"lab":"A"})";
-  const Job job = store.submit(submitted);
+  const Job job = store.submit(submitted).job;
 
   const auto found = store.find(job.id);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->id, job.id);
   EXPECT_EQ(found->state, JobState::queued);
   EXPECT_EQ(found->name, "first");
-  EXPECT_EQ(found->case_hash, sha256_hex(submitted.case_resolved));
+  EXPECT_EQ(found->case_hash, submitted.case_hash);
   EXPECT_EQ(found->labels, submitted.labels);
   EXPECT_EQ(found->priority, 3);
   EXPECT_EQ(found->attempt, 0);
@@ -45,7 +45,7 @@ TEST(JobStore, KeepsJobsFromOneRunToTheNext) {
   std::string id;
   {
     JobStore store(folder.path());
-    id = store.submit(plain_job()).id;
+    id = store.submit(plain_job()).job.id;
   }
   JobStore store(folder.path());
   EXPECT_TRUE(store.find(id));
@@ -57,11 +57,11 @@ TEST(JobStore, IdsRiseEvenIfTheClockStepsBackBetweenRuns) {
   std::string earlier;
   {
     JobStore store(folder.path(), time.clock());
-    earlier = store.submit(plain_job()).id;
+    earlier = store.submit(plain_job()).job.id;
   }
   time.now -= 3'600'000;
   JobStore store(folder.path(), time.clock());
-  EXPECT_GT(store.submit(plain_job()).id, earlier);
+  EXPECT_GT(store.submit(plain_job()).job.id, earlier);
 }
 
 TEST(JobStore, CountsEveryState) {
@@ -69,8 +69,8 @@ TEST(JobStore, CountsEveryState) {
   JobStore store(folder.path());
   store.submit(plain_job());
   store.submit(plain_job());
-  store.request_cancel(store.submit(plain_job()).id);
-  const auto counts = store.counts();
+  store.request_cancel(store.submit(plain_job()).job.id);
+  const auto counts = store.queue_state().counts;
   EXPECT_EQ(counts.size(), all_job_states.size());
   EXPECT_EQ(counts.at(JobState::queued), 2);
   EXPECT_EQ(counts.at(JobState::cancelled), 1);
@@ -92,7 +92,7 @@ TEST(JobStore, RefusesTextsThatAreNoJson) {
       EXPECT_EQ(error.kind(), StoreError::Kind::invalid_argument);
     }
   }
-  EXPECT_EQ(store.counts().at(JobState::queued), 0);
+  EXPECT_EQ(store.queue_state().counts.at(JobState::queued), 0);
 }
 
 TEST(JobStore, StoresHostileTextAsText) {
@@ -102,7 +102,7 @@ TEST(JobStore, StoresHostileTextAsText) {
   NewJob job = plain_job();
   job.name = name;
   job.labels = R"({"a\"b$.c":"x' OR 1=1"})";
-  const std::string id = store.submit(job).id;
+  const std::string id = store.submit(job).job.id;
   EXPECT_EQ(store.find(id)->name, name);
   EXPECT_EQ(store.list({.labels = {{"a\"b$.c", "x' OR 1=1"}}}).jobs.size(), 1u);
   EXPECT_TRUE(store.list({.labels = {{"a\"b$.c", "x"}}}).jobs.empty());
@@ -138,7 +138,7 @@ TEST(JobStore, PagesShowEachJobOnceWhileOthersAreSubmitted) {
   const ScratchFolder folder;
   JobStore store(folder.path());
   std::vector<std::string> before;
-  for (int i = 0; i < 25; ++i) before.push_back(store.submit(plain_job()).id);
+  for (int i = 0; i < 25; ++i) before.push_back(store.submit(plain_job()).job.id);
 
   std::vector<std::string> seen;
   JobQuery query{.page_size = 10};
@@ -181,7 +181,7 @@ TEST(JobStore, EightThreadsSubmitAndReadAtOnce) {
   for (auto& mine : ids) {
     threads.emplace_back([&] {
       for (int i = 0; i < each; ++i) {
-        mine.push_back(store.submit(plain_job()).id);
+        mine.push_back(store.submit(plain_job()).job.id);
         if (!store.find(mine.back())) mine.clear();  // answered, yet not there
       }
     });
@@ -194,7 +194,7 @@ TEST(JobStore, EightThreadsSubmitAndReadAtOnce) {
     distinct.insert(mine.begin(), mine.end());
   }
   EXPECT_EQ(distinct.size(), 8u * each);
-  EXPECT_EQ(store.counts().at(JobState::queued), 8 * each);
+  EXPECT_EQ(store.queue_state().counts.at(JobState::queued), 8 * each);
 }
 
 }  // namespace

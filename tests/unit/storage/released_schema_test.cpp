@@ -63,7 +63,11 @@ class ReleasedSchema : public testing::Test {
 TEST_F(ReleasedSchema, KeepsEveryRowOnTheWayToTheNewest) {
   const auto all = [&] {
     SQLite::Database database = opened();
-    Rows found = rows(database, "SELECT * FROM jobs ORDER BY id");
+    Rows found =
+        rows(database,
+             "SELECT id, state, name, case_hash, labels, priority, attempt, created_at, started_at, "
+             "ended_at, not_before, lease_owner, lease_until, progress, summary, error, archive_size, "
+             "archive_sha256 FROM jobs ORDER BY id");
     for (const std::string& row : rows(database, "SELECT * FROM job_inputs ORDER BY job_id"))
       found.push_back(row);
     return found;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "storage/job_store.h"
+#include "storage/sha256.h"
 
 namespace rouleau::storage {
 
@@ -38,9 +39,12 @@ struct BentClock {
   }
 };
 
+/// No two of them have the same case.
 inline NewJob plain_job(const std::string& name = "plain", int priority = 0) {
+  static std::atomic<int> count = 0;
   NewJob job;
   job.name = name;
+  job.case_hash = sha256_hex(std::to_string(++count));
   job.case_given = R"({"version":1})";
   job.case_resolved = R"({"version":1,"name":")" + name + "\"}";
   job.plan = R"({"particles":10})";

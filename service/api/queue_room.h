@@ -1,0 +1,31 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+
+#include "storage/job_store.h"
+
+namespace rouleau::service {
+
+/// Keeps the queue from growing without bound. It counts what waits a few times a second, and in between what
+/// it let in.
+class QueueRoom {
+ public:
+  QueueRoom(storage::JobStore& store, std::int64_t most) : store_(store), most_(most) {}
+
+  /// @param jobs about to be submitted together
+  /// @throws Problem 503 queue-full
+  void enter(std::int64_t jobs);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  storage::JobStore& store_;
+  const std::int64_t most_;
+  std::mutex mutex_;
+  std::int64_t waiting_ = 0;
+  Clock::time_point counted_{};
+};
+
+}  // namespace rouleau::service

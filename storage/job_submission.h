@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <SQLiteCpp/Database.h>
+
+#include "storage/job.h"
+#include "storage/uuid.h"
+
+namespace rouleau::storage {
+
+/// What handing in a job and handing in a sweep of them have in common. These run within a transaction of the
+/// writer.
+
+/// @return the new job's id
+std::string insert_job(SQLite::Database& database, const NewJob& submitted, UuidSource& ids, TimeMs now);
+
+/// What a key was used for before, if it was.
+/// @param column "job" or "sweep"
+/// @throws IdempotencyMismatch
+std::optional<std::string> find_keyed(SQLite::Database& database, const IdempotencyKey& key,
+                                      const char* column);
+
+void keep_key(SQLite::Database& database, const IdempotencyKey& key, const char* column,
+              const std::string& id, TimeMs now);
+
+}  // namespace rouleau::storage
