@@ -1,5 +1,3 @@
-#include <SQLiteCpp/Statement.h>
-
 #include "storage/job_rows.h"
 #include "storage/job_statements.h"
 #include "storage/job_store_parts.h"
@@ -9,30 +7,26 @@ namespace rouleau::storage {
 
 namespace {
 
-using SQLite::Database;
-using SQLite::Statement;
-
 struct Candidate {
   std::string id, case_hash;
   bool fresh = false;
 };
 
-bool queue_is_paused(Database& database) {
-  return Statement(database, "SELECT 1 FROM settings WHERE name = 'queue' AND value = 'paused'")
-      .executeStep();
+bool queue_is_paused(Connection& database) {
+  return Prepared(database, "SELECT 1 FROM settings WHERE name = 'queue' AND value = 'paused'").executeStep();
 }
 
 /// Jobs whose time has come wait like all others.
-void end_delays(Database& database, TimeMs now) {
-  Statement update(database, "UPDATE jobs SET not_before = NULL WHERE not_before <= ?");
+void end_delays(Connection& database, TimeMs now) {
+  Prepared update(database, "UPDATE jobs SET not_before = NULL WHERE not_before <= ?");
   update.bind(1, now);
   update.exec();
 }
 
 /// Of the lanes that wait at the highest priority the one that was served longest ago, and its oldest job.
-std::optional<Candidate> next_candidate(Database& database,
+std::optional<Candidate> next_candidate(Connection& database,
                                         const std::map<std::string, std::uint64_t>& turns) {
-  Statement first(database, first_lane);
+  Prepared first(database, first_lane);
   if (!first.executeStep()) return std::nullopt;
   const int priority = first.getColumn(0).getInt();
   const auto turn_of = [&](const std::string& lane) {
@@ -40,16 +34,15 @@ std::optional<Candidate> next_candidate(Database& database,
     return known == turns.end() ? 0 : known->second;
   };
   std::string lane = first.getColumn(1).getString(), chosen = lane;
-  Statement next(database, next_lane);
   while (turn_of(chosen) > 0) {
-    next.reset();
+    Prepared next(database, next_lane);
     next.bind(":priority", priority);
     next.bind(":lane", lane);
     if (!next.executeStep()) break;
     lane = next.getColumn(0).getString();
     if (turn_of(lane) < turn_of(chosen)) chosen = lane;
   }
-  Statement oldest(database, oldest_of_lane);
+  Prepared oldest(database, oldest_of_lane);
   oldest.bind(":priority", priority);
   oldest.bind(":lane", chosen);
   oldest.executeStep();
@@ -58,7 +51,7 @@ std::optional<Candidate> next_candidate(Database& database,
 }
 
 /// Whether a job need not run, for its result is there or on its way.
-bool spared(Database& database, const Candidate& job, TimeMs now) {
+bool spared(Connection& database, const Candidate& job, TimeMs now) {
   if (job.fresh) return false;
   if (const auto source = job_with_result(database, job.case_hash)) {
     give_result(database, job.id, *source, now);
@@ -71,7 +64,7 @@ bool spared(Database& database, const Candidate& job, TimeMs now) {
   return false;
 }
 
-bool end_without_result(Database& database, Statement& update, std::string_view id) {
+bool end_without_result(Connection& database, Prepared& update, std::string_view id) {
   const bool ended = update.exec() > 0;
   if (ended) release_followers(database, id);
   return ended;
@@ -80,14 +73,14 @@ bool end_without_result(Database& database, Statement& update, std::string_view 
 }  // namespace
 
 std::optional<ClaimedJob> JobStore::claim(std::string_view owner, std::chrono::milliseconds lease) {
-  return parts_->writer.run([&](Database& db) -> std::optional<ClaimedJob> {
+  return parts_->writer.run([&](Connection& db) -> std::optional<ClaimedJob> {
     if (queue_is_paused(db)) return std::nullopt;
     const TimeMs now = parts_->clock();
     end_delays(db, now);
     auto candidate = next_candidate(db, parts_->turns);
     while (candidate && spared(db, *candidate, now)) candidate = next_candidate(db, parts_->turns);
     if (!candidate) return std::nullopt;
-    Statement update(db, claim_job);
+    Prepared update(db, claim_job);
     update.bind(":id", candidate->id);
     update.bind(":now", now);
     update.bind(":owner", std::string(owner));
@@ -101,11 +94,11 @@ std::optional<ClaimedJob> JobStore::claim(std::string_view owner, std::chrono::m
 
 Lease JobStore::renew(std::string_view id, int attempt, std::chrono::milliseconds lease,
                       const std::optional<std::string>& progress) {
-  return parts_->writer.run([&](Database& db) {
-    Statement update(db,
-                     "UPDATE jobs SET lease_until = :until, progress = coalesce(:progress, progress) "
-                     "WHERE id = :id AND attempt = :attempt AND lease_owner IS NOT NULL "
-                     "RETURNING state = 'cancelling', pause_requested");
+  return parts_->writer.run([&](Connection& db) {
+    Prepared update(db,
+                    "UPDATE jobs SET lease_until = :until, progress = coalesce(:progress, progress) "
+                    "WHERE id = :id AND attempt = :attempt AND lease_owner IS NOT NULL "
+                    "RETURNING state = 'cancelling', pause_requested");
     bind_attempt(update, id, attempt);
     update.bind(":until", parts_->clock() + static_cast<std::int64_t>(lease.count()));
     if (progress) update.bind(":progress", *progress);
@@ -116,18 +109,18 @@ Lease JobStore::renew(std::string_view id, int attempt, std::chrono::millisecond
 }
 
 bool JobStore::note_checkpoint(std::string_view id, int attempt) {
-  return parts_->writer.run([&](Database& db) {
-    Statement update(db,
-                     "UPDATE jobs SET setbacks = 0 "
-                     "WHERE id = :id AND attempt = :attempt AND lease_owner IS NOT NULL");
+  return parts_->writer.run([&](Connection& db) {
+    Prepared update(db,
+                    "UPDATE jobs SET setbacks = 0 "
+                    "WHERE id = :id AND attempt = :attempt AND lease_owner IS NOT NULL");
     bind_attempt(update, id, attempt);
     return update.exec() > 0;
   });
 }
 
 bool JobStore::succeed(std::string_view id, int attempt, const JobResult& result) {
-  return parts_->writer.run([&](Database& db) {
-    Statement update(db, end_attempt(std::string("state = 'succeeded', ") + result_columns));
+  return parts_->writer.run([&](Connection& db) {
+    Prepared update(db, end_attempt(std::string("state = 'succeeded', ") + result_columns));
     const TimeMs now = parts_->clock();
     bind_attempt(update, id, attempt);
     update.bind(":now", now);
@@ -140,8 +133,8 @@ bool JobStore::succeed(std::string_view id, int attempt, const JobResult& result
 
 bool JobStore::fail(std::string_view id, int attempt, const std::string& error,
                     const std::optional<JobResult>& result) {
-  return parts_->writer.run([&](Database& db) {
-    Statement update(db, end_attempt(std::string("state = 'failed', error = :error, ") + result_columns));
+  return parts_->writer.run([&](Connection& db) {
+    Prepared update(db, end_attempt(std::string("state = 'failed', error = :error, ") + result_columns));
     bind_attempt(update, id, attempt);
     update.bind(":now", parts_->clock());
     update.bind(":error", error);
@@ -151,8 +144,8 @@ bool JobStore::fail(std::string_view id, int attempt, const std::string& error,
 }
 
 bool JobStore::mark_cancelled(std::string_view id, int attempt) {
-  return parts_->writer.run([&](Database& db) {
-    Statement update(db, end_attempt("state = 'cancelled'", "'cancelling'"));
+  return parts_->writer.run([&](Connection& db) {
+    Prepared update(db, end_attempt("state = 'cancelled'", "'cancelling'"));
     bind_attempt(update, id, attempt);
     update.bind(":now", parts_->clock());
     return end_without_result(db, update, id);
@@ -160,8 +153,8 @@ bool JobStore::mark_cancelled(std::string_view id, int attempt) {
 }
 
 bool JobStore::release(std::string_view id, int attempt, std::optional<TimeMs> not_before) {
-  return parts_->writer.run([&](Database& db) {
-    Statement update(db, std::string(give_back) + "id = :id AND attempt = :attempt");
+  return parts_->writer.run([&](Connection& db) {
+    Prepared update(db, std::string(give_back) + "id = :id AND attempt = :attempt");
     bind_attempt(update, id, attempt);
     if (not_before) update.bind(":not_before", *not_before);
     update.bind(":setback", not_before ? 1 : 0);
@@ -171,10 +164,10 @@ bool JobStore::release(std::string_view id, int attempt, std::optional<TimeMs> n
 }
 
 int JobStore::recover(std::string_view owner) {
-  return parts_->writer.run([&](Database& db) {
-    Statement unfollow(db, "UPDATE jobs SET follows = NULL WHERE follows IS NOT NULL");
+  return parts_->writer.run([&](Connection& db) {
+    Prepared unfollow(db, "UPDATE jobs SET follows = NULL WHERE follows IS NOT NULL");
     unfollow.exec();
-    Statement update(db, std::string(give_back) + "lease_owner <> :owner");
+    Prepared update(db, std::string(give_back) + "lease_owner <> :owner");
     update.bind(":owner", std::string(owner));
     update.bind(":setback", 1);
     update.bind(":now", parts_->clock());
@@ -183,15 +176,15 @@ int JobStore::recover(std::string_view owner) {
 }
 
 int JobStore::expire_leases() {
-  return parts_->writer.run([&](Database& db) {
+  return parts_->writer.run([&](Connection& db) {
     const TimeMs now = parts_->clock();
-    Statement unfollow(db,
-                       "UPDATE jobs SET follows = NULL WHERE follows IN "
-                       "(SELECT id FROM jobs INDEXED BY jobs_held WHERE lease_owner IS NOT NULL AND "
-                       "lease_until < ?)");
+    Prepared unfollow(db,
+                      "UPDATE jobs SET follows = NULL WHERE follows IN "
+                      "(SELECT id FROM jobs INDEXED BY jobs_held WHERE lease_owner IS NOT NULL AND "
+                      "lease_until < ?)");
     unfollow.bind(1, now);
     unfollow.exec();
-    Statement update(db, std::string(give_back) + "lease_until < :now");
+    Prepared update(db, std::string(give_back) + "lease_until < :now");
     update.bind(":setback", 1);
     update.bind(":now", now);
     return update.exec();

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include <SQLiteCpp/Statement.h>
-
 #include "storage/job_rows.h"
 #include "storage/job_store_parts.h"
 #include "storage/result_reuse.h"
@@ -10,9 +8,6 @@
 namespace rouleau::storage {
 
 namespace {
-
-using SQLite::Database;
-using SQLite::Statement;
 
 /// A change of a job's state that a client asks for.
 struct Request {
@@ -23,10 +18,10 @@ struct Request {
 
 /// @return the job afterwards, none if there is no such job
 /// @throws InvalidTransition
-std::optional<Job> perform(Database& database, std::string_view id, const Request& request, TimeMs now) {
-  Statement update(database, std::string("UPDATE jobs SET ") + request.assignments +
-                                 ", not_before = NULL, follows = NULL WHERE id = :id AND state IN (" +
-                                 request.from + ")");
+std::optional<Job> perform(Connection& database, std::string_view id, const Request& request, TimeMs now) {
+  Prepared update(database, std::string("UPDATE jobs SET ") + request.assignments +
+                                ", not_before = NULL, follows = NULL WHERE id = :id AND state IN (" +
+                                request.from + ")");
   update.bind(":id", std::string(id));
   if (std::string_view(request.assignments).find(":now") != std::string_view::npos) update.bind(":now", now);
   const bool changed = update.exec() > 0;
@@ -40,22 +35,22 @@ std::optional<Job> perform(Database& database, std::string_view id, const Reques
 }
 
 /// Whether another job has the same archive.
-bool is_shared(Database& database, const std::string& archive_id, std::string_view but_for) {
-  Statement select(database, "SELECT 1 FROM jobs WHERE archive_id = ? AND id <> ? LIMIT 1");
+bool is_shared(Connection& database, const std::string& archive_id, std::string_view but_for) {
+  Prepared select(database, "SELECT 1 FROM jobs WHERE archive_id = ? AND id <> ? LIMIT 1");
   select.bind(1, archive_id);
   select.bind(2, std::string(but_for));
   return select.executeStep();
 }
 
-void leave_tombstone(Database& database, std::string_view id, TimeMs now) {
-  Statement insert(database, "INSERT OR REPLACE INTO removed_jobs VALUES (?, ?)");
+void leave_tombstone(Connection& database, std::string_view id, TimeMs now) {
+  Prepared insert(database, "INSERT OR REPLACE INTO removed_jobs VALUES (?, ?)");
   insert.bind(1, std::string(id));
   insert.bind(2, now);
   insert.exec();
 }
 
-void forget(Database& database, std::string_view id) {
-  Statement erase(database, "DELETE FROM jobs WHERE id = ?");
+void forget(Connection& database, std::string_view id) {
+  Prepared erase(database, "DELETE FROM jobs WHERE id = ?");
   erase.bind(1, std::string(id));
   erase.exec();
 }
@@ -68,7 +63,7 @@ std::optional<Job> JobStore::request_cancel(std::string_view id) {
       "state = iif(state = 'running', 'cancelling', 'cancelled')",
       "'queued', 'running', 'paused'",
       {JobState::cancelling, JobState::cancelled}};
-  return parts_->writer.run([&](Database& db) { return perform(db, id, cancel, parts_->clock()); });
+  return parts_->writer.run([&](Connection& db) { return perform(db, id, cancel, parts_->clock()); });
 }
 
 std::optional<Job> JobStore::request_pause(std::string_view id) {
@@ -76,14 +71,14 @@ std::optional<Job> JobStore::request_pause(std::string_view id) {
       "pause_requested = iif(state = 'running', 1, 0), state = iif(state = 'running', 'running', 'paused')",
       "'queued', 'running'",
       {JobState::paused}};
-  return parts_->writer.run([&](Database& db) { return perform(db, id, pause, parts_->clock()); });
+  return parts_->writer.run([&](Connection& db) { return perform(db, id, pause, parts_->clock()); });
 }
 
 std::optional<Job> JobStore::resume(std::string_view id) {
   static const Request resume{"pause_requested = 0, state = iif(state = 'running', 'running', 'queued')",
                               "'paused', 'running'",
                               {JobState::queued}};
-  return parts_->writer.run([&](Database& db) { return perform(db, id, resume, parts_->clock()); });
+  return parts_->writer.run([&](Connection& db) { return perform(db, id, resume, parts_->clock()); });
 }
 
 std::optional<Job> JobStore::retry(std::string_view id) {
@@ -91,11 +86,11 @@ std::optional<Job> JobStore::retry(std::string_view id) {
       "state = 'queued', started_at = NULL, ended_at = NULL, error = NULL, setbacks = 0, progress = NULL, "
       "summary = NULL, archive_id = NULL, archive_size = NULL, archive_sha256 = NULL",
       "'failed', 'cancelled'"};
-  return parts_->writer.run([&](Database& db) { return perform(db, id, retry, parts_->clock()); });
+  return parts_->writer.run([&](Connection& db) { return perform(db, id, retry, parts_->clock()); });
 }
 
 std::optional<Removed> JobStore::remove(std::string_view id, Removal how) {
-  return parts_->writer.run([&](Database& db) -> std::optional<Removed> {
+  return parts_->writer.run([&](Connection& db) -> std::optional<Removed> {
     const auto job = select_job(db, id);
     if (!job) return std::nullopt;
     if (!has_ended(job->state)) throw InvalidTransition(job->state);
@@ -108,16 +103,16 @@ std::optional<Removed> JobStore::remove(std::string_view id, Removal how) {
 }
 
 bool JobStore::has_expired(std::string_view id) {
-  return parts_->readers.run([&](Database& db) {
-    Statement select(db, "SELECT 1 FROM removed_jobs WHERE id = ?");
+  return parts_->readers.run([&](Connection& db) {
+    Prepared select(db, "SELECT 1 FROM removed_jobs WHERE id = ?");
     select.bind(1, std::string(id));
     return select.executeStep();
   });
 }
 
 void JobStore::pause_queue(bool paused) {
-  parts_->writer.run([&](Database& db) {
-    Statement set(db, "INSERT OR REPLACE INTO settings VALUES ('queue', ?)");
+  parts_->writer.run([&](Connection& db) {
+    Prepared set(db, "INSERT OR REPLACE INTO settings VALUES ('queue', ?)");
     set.bind(1, paused ? "paused" : "running");
     return set.exec();
   });

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <SQLiteCpp/Statement.h>
-
 #include "storage/store_error.h"
 #include "storage/uuid.h"
 
@@ -35,7 +33,7 @@ JobState state_of(const SQLite::Column& column) {
   return *state;
 }
 
-Job job_of(const SQLite::Statement& row) {
+Job job_of(const Prepared& row) {
   int column = 0;
   const auto next = [&] { return row.getColumn(column++); };
   Job job;
@@ -87,26 +85,26 @@ std::string page_statement(const JobQuery& query) {
 
 }  // namespace
 
-std::optional<Job> select_job(SQLite::Database& database, std::string_view id) {
-  SQLite::Statement select(database, std::string(job_columns) + "WHERE id = ?");
+std::optional<Job> select_job(Connection& database, std::string_view id) {
+  Prepared select(database, std::string(job_columns) + "WHERE id = ?");
   select.bind(1, std::string(id));
   if (!select.executeStep()) return std::nullopt;
   return job_of(select);
 }
 
-std::optional<CaseText> select_case_text(SQLite::Database& database, std::string_view id) {
-  SQLite::Statement select(database, "SELECT case_given, case_resolved FROM job_inputs WHERE job_id = ?");
+std::optional<CaseText> select_case_text(Connection& database, std::string_view id) {
+  Prepared select(database, "SELECT case_given, case_resolved FROM job_inputs WHERE job_id = ?");
   select.bind(1, std::string(id));
   if (!select.executeStep()) return std::nullopt;
   return CaseText{select.getColumn(0).getString(), select.getColumn(1).getString()};
 }
 
-JobPage select_page(SQLite::Database& database, const JobQuery& query) {
+JobPage select_page(Connection& database, const JobQuery& query) {
   if (!query.page_token.empty() && !is_uuid(query.page_token)) {
     throw StoreError(StoreError::Kind::invalid_argument, "no page has this token");
   }
   const int page_size = std::clamp(query.page_size, 1, 1000);
-  SQLite::Statement select(database, page_statement(query));
+  Prepared select(database, page_statement(query));
   int index = 1;
   if (!query.page_token.empty()) select.bind(index++, query.page_token);
   for (const JobState state : query.states) select.bind(index++, std::string(to_string(state)));

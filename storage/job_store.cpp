@@ -1,7 +1,5 @@
 #include "storage/job_store.h"
 
-#include <SQLiteCpp/Statement.h>
-
 #include "storage/job_rows.h"
 #include "storage/job_store_parts.h"
 #include "storage/sqlite/database.h"
@@ -10,9 +8,6 @@
 namespace rouleau::storage {
 
 namespace {
-
-using SQLite::Database;
-using SQLite::Statement;
 
 constexpr int reader_connections = 4;
 
@@ -23,9 +18,9 @@ std::filesystem::path made(const std::filesystem::path& folder) {
   return folder;
 }
 
-Database opened(const std::filesystem::path& file) {
+SQLite::Database opened(const std::filesystem::path& file) {
   try {
-    Database database = open_for_writing(file);
+    SQLite::Database database = open_for_writing(file);
     migrate(database);
     return database;
   } catch (const SQLite::Exception& error) {
@@ -41,12 +36,12 @@ JobStore::Parts::Parts(const std::filesystem::path& folder, Clock time)
       writer(opened(folder / "jobs.sqlite")),
       readers(folder / "jobs.sqlite", reader_connections) {}
 
-void bind_attempt(Statement& statement, std::string_view id, int attempt) {
+void bind_attempt(Prepared& statement, std::string_view id, int attempt) {
   statement.bind(":id", std::string(id));
   statement.bind(":attempt", attempt);
 }
 
-void bind_result(Statement& statement, const JobResult& result, std::string_view archive_id) {
+void bind_result(Prepared& statement, const JobResult& result, std::string_view archive_id) {
   statement.bind(":summary", result.summary);
   statement.bind(":size", result.archive_size);
   statement.bind(":sha256", result.archive_sha256);
@@ -64,41 +59,41 @@ JobStore::JobStore(const std::filesystem::path& folder, Clock clock) {
   } catch (const SQLite::Exception& error) {
     throw to_store_error(error);
   }
-  const std::string newest =
-      parts_->readers.run([](Database& db) { return db.execAndGet("SELECT max(id) FROM jobs").getString(); });
+  const std::string newest = parts_->readers.run(
+      [](Connection& db) { return db.execAndGet("SELECT max(id) FROM jobs").getString(); });
   parts_->ids.start_after(newest);
 }
 
 JobStore::~JobStore() = default;
 
 std::optional<Job> JobStore::find(std::string_view id) {
-  return parts_->readers.run([&](Database& db) { return select_job(db, id); });
+  return parts_->readers.run([&](Connection& db) { return select_job(db, id); });
 }
 
 std::optional<CaseText> JobStore::case_text(std::string_view id) {
-  return parts_->readers.run([&](Database& db) { return select_case_text(db, id); });
+  return parts_->readers.run([&](Connection& db) { return select_case_text(db, id); });
 }
 
 JobPage JobStore::list(const JobQuery& query) {
-  return parts_->readers.run([&](Database& db) { return select_page(db, query); });
+  return parts_->readers.run([&](Connection& db) { return select_page(db, query); });
 }
 
 QueueState JobStore::queue_state() {
-  return parts_->readers.run([](Database& db) {
+  return parts_->readers.run([](Connection& db) {
     QueueState queue;
     for (const JobState state : all_job_states) queue.counts[state] = 0;
-    Statement select(db, "SELECT state, count(*) FROM jobs INDEXED BY jobs_by_state GROUP BY state");
+    Prepared select(db, "SELECT state, count(*) FROM jobs INDEXED BY jobs_by_state GROUP BY state");
     while (select.executeStep()) {
       if (const auto state = parse_job_state(select.getColumn(0).getString())) {
         queue.counts[*state] = select.getColumn(1).getInt64();
       }
     }
-    Statement oldest(db,
-                     "SELECT created_at FROM jobs INDEXED BY jobs_by_state WHERE state = 'queued' "
-                     "ORDER BY id LIMIT 1");
+    Prepared oldest(db,
+                    "SELECT created_at FROM jobs INDEXED BY jobs_by_state WHERE state = 'queued' "
+                    "ORDER BY id LIMIT 1");
     if (oldest.executeStep()) queue.oldest_waiting = oldest.getColumn(0).getInt64();
     queue.paused =
-        Statement(db, "SELECT 1 FROM settings WHERE name = 'queue' AND value = 'paused'").executeStep();
+        Prepared(db, "SELECT 1 FROM settings WHERE name = 'queue' AND value = 'paused'").executeStep();
     return queue;
   });
 }

@@ -11,10 +11,6 @@
 #include "storage/sqlite/reader_pool.h"
 #include "storage/uuid.h"
 
-namespace SQLite {
-class Statement;
-}
-
 namespace rouleau::storage {
 
 /// What the files that make up JobStore share.
@@ -33,9 +29,9 @@ struct JobStore::Parts {
 };
 
 /// Binds :id and :attempt.
-void bind_attempt(SQLite::Statement& statement, std::string_view id, int attempt);
+void bind_attempt(Prepared& statement, std::string_view id, int attempt);
 
 /// Binds :summary, :size, :sha256 and :archive.
-void bind_result(SQLite::Statement& statement, const JobResult& result, std::string_view archive_id);
+void bind_result(Prepared& statement, const JobResult& result, std::string_view archive_id);
 
 }  // namespace rouleau::storage

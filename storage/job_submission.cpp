@@ -1,7 +1,5 @@
 #include "storage/job_submission.h"
 
-#include <SQLiteCpp/Statement.h>
-
 #include "storage/job_rows.h"
 #include "storage/job_store_parts.h"
 #include "storage/result_reuse.h"
@@ -10,11 +8,8 @@ namespace rouleau::storage {
 
 namespace {
 
-using SQLite::Database;
-using SQLite::Statement;
-
-void insert_inputs(Database& database, const std::string& id, const NewJob& submitted) {
-  Statement inputs(database, "INSERT INTO job_inputs VALUES (?, ?, ?, ?)");
+void insert_inputs(Connection& database, const std::string& id, const NewJob& submitted) {
+  Prepared inputs(database, "INSERT INTO job_inputs VALUES (?, ?, ?, ?)");
   inputs.bind(1, id);
   inputs.bind(2, submitted.case_given);
   inputs.bind(3, submitted.case_resolved);
@@ -24,9 +19,9 @@ void insert_inputs(Database& database, const std::string& id, const NewJob& subm
 
 }  // namespace
 
-std::string insert_job(Database& database, const NewJob& submitted, UuidSource& ids, TimeMs now) {
+std::string insert_job(Connection& database, const NewJob& submitted, UuidSource& ids, TimeMs now) {
   const std::string id = ids.next(now);
-  Statement jobs(
+  Prepared jobs(
       database,
       "INSERT INTO jobs (id, state, name, case_hash, labels, lane, priority, sweep, sweep_index, "
       "fresh, created_at) "
@@ -54,9 +49,9 @@ std::string insert_job(Database& database, const NewJob& submitted, UuidSource& 
   return id;
 }
 
-std::optional<std::string> find_keyed(Database& database, const IdempotencyKey& key, const char* column) {
-  Statement select(database, std::string("SELECT fingerprint, ") + column +
-                                 " FROM idempotency_keys WHERE caller = ? AND key = ?");
+std::optional<std::string> find_keyed(Connection& database, const IdempotencyKey& key, const char* column) {
+  Prepared select(database, std::string("SELECT fingerprint, ") + column +
+                                " FROM idempotency_keys WHERE caller = ? AND key = ?");
   select.bind(1, key.caller);
   select.bind(2, key.key);
   if (!select.executeStep()) return std::nullopt;
@@ -66,9 +61,9 @@ std::optional<std::string> find_keyed(Database& database, const IdempotencyKey& 
   return select.getColumn(1).getString();
 }
 
-void keep_key(Database& database, const IdempotencyKey& key, const char* column, const std::string& id,
+void keep_key(Connection& database, const IdempotencyKey& key, const char* column, const std::string& id,
               TimeMs now) {
-  Statement insert(
+  Prepared insert(
       database, std::string("INSERT INTO idempotency_keys (caller, key, fingerprint, created_at, ") + column +
                     ") VALUES (?, ?, ?, ?, ?)");
   insert.bind(1, key.caller);
@@ -80,7 +75,7 @@ void keep_key(Database& database, const IdempotencyKey& key, const char* column,
 }
 
 Submission JobStore::submit(NewJob submitted, const std::optional<IdempotencyKey>& key) {
-  return parts_->writer.run([&](Database& db) {
+  return parts_->writer.run([&](Connection& db) {
     if (key) {
       if (const auto id = find_keyed(db, *key, "job")) return Submission{select_job(db, *id).value(), true};
     }
@@ -92,8 +87,8 @@ Submission JobStore::submit(NewJob submitted, const std::optional<IdempotencyKey
 }
 
 int JobStore::forget_keys(TimeMs before) {
-  return parts_->writer.run([&](Database& db) {
-    Statement erase(db, "DELETE FROM idempotency_keys WHERE created_at < ?");
+  return parts_->writer.run([&](Connection& db) {
+    Prepared erase(db, "DELETE FROM idempotency_keys WHERE created_at < ?");
     erase.bind(1, before);
     return erase.exec();
   });

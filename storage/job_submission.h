@@ -3,9 +3,8 @@
 #include <optional>
 #include <string>
 
-#include <SQLiteCpp/Database.h>
-
 #include "storage/job.h"
+#include "storage/sqlite/connection.h"
 #include "storage/uuid.h"
 
 namespace rouleau::storage {
@@ -14,15 +13,14 @@ namespace rouleau::storage {
 /// writer.
 
 /// @return the new job's id
-std::string insert_job(SQLite::Database& database, const NewJob& submitted, UuidSource& ids, TimeMs now);
+std::string insert_job(Connection& database, const NewJob& submitted, UuidSource& ids, TimeMs now);
 
 /// What a key was used for before, if it was.
 /// @param column "job" or "sweep"
 /// @throws IdempotencyMismatch
-std::optional<std::string> find_keyed(SQLite::Database& database, const IdempotencyKey& key,
-                                      const char* column);
+std::optional<std::string> find_keyed(Connection& database, const IdempotencyKey& key, const char* column);
 
-void keep_key(SQLite::Database& database, const IdempotencyKey& key, const char* column,
-              const std::string& id, TimeMs now);
+void keep_key(Connection& database, const IdempotencyKey& key, const char* column, const std::string& id,
+              TimeMs now);
 
 }  // namespace rouleau::storage
