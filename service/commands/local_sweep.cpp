@@ -9,7 +9,7 @@
 #include "engine/case/case_json.h"
 #include "engine/error/checkpoint_error.h"
 #include "engine/simulation/run.h"
-#include "service/api/case_body.h"
+#include "service/case_hash.h"
 #include "service/commands/resumable_run.h"
 #include "storage/archive_reader.h"
 #include "storage/interrupted_run.h"
