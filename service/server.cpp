@@ -1,8 +1,11 @@
 #include "service/server.h"
 
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <sys/resource.h>
@@ -51,6 +54,9 @@ Router make_routes(Service& service, const std::filesystem::path& web) {
   add_jobs(router, service);
   add_job(router, service);
   add_queue(router, service);
+  add_job_actions(router, service);
+  add_events(router, service);
+  add_log(router, service);
   add_series(router, service);
   add_frames(router, service);
   add_probes(router, service);
@@ -75,6 +81,15 @@ void raise_descriptor_limit() {
   if (::getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= limit.rlim_max) return;
   limit.rlim_cur = limit.rlim_max;
   ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+/// 0: only when a run is stopped.
+std::chrono::duration<double> checkpoint_interval(double seconds) {
+  return std::chrono::duration<double>(seconds > 0 ? seconds : std::numeric_limits<double>::infinity());
+}
+
+std::chrono::milliseconds milliseconds(double seconds) {
+  return std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * seconds));
 }
 
 /// Written aside and renamed: whoever sees it sees the whole number.
@@ -103,8 +118,12 @@ void serve(const ServeOptions& options) {
     health.emplace(make_health_routes(draining), health_settings, "127.0.0.1", options.health_port);
   }
   KnownMachine machine(options.data);
-  Queue queue(store, options.data / "archives", machine);
+  Queue queue(store, options.data, machine, checkpoint_interval(options.checkpoint_interval));
   Service service{store, queue, draining, machine, QueueRoom(store, options.most_queued)};
+  service.streams.most = options.max_streams;
+  service.streams.comment_interval = milliseconds(options.stream_heartbeat);
+  // Streams take their threads from no one.
+  settings.threads += static_cast<std::size_t>(options.max_streams);
   RunningServer api(make_routes(service, options.web), std::move(settings), options.host, options.port);
 
   // Only now that the addresses are ours is a job touched.

@@ -15,6 +15,9 @@ struct ServeOptions {
   std::filesystem::path token_file;  ///< empty: no token is asked for
   std::filesystem::path port_file;   ///< empty: none is written
   std::filesystem::path web;         ///< empty: the page built with this program
+  double checkpoint_interval = 60;   ///< s; 0: only when a run is stopped
+  int max_streams = 64;
+  double stream_heartbeat = 15;  ///< s
   bool json = false;
 };
 

@@ -16,11 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An unfinished archive of an earlier run, while another is made from it.
-fs::path put_aside(const fs::path& archive) {
-  return fs::path(archive) += ".before";
-}
-
 bool has_all(const fs::path& archive, const CheckpointHead& head, const Case& resolved) {
   if (!fs::exists(archive)) return false;
   try {
@@ -32,16 +27,20 @@ bool has_all(const fs::path& archive, const CheckpointHead& head, const Case& re
 
 }  // namespace
 
+fs::path put_aside_path(const fs::path& archive) {
+  return fs::path(archive) += ".before";
+}
+
 std::optional<InterruptedRun> find_interrupted(const fs::path& archive, const Case& resolved) {
   const fs::path saved = checkpoint_path(archive);
   if (!fs::exists(saved)) return std::nullopt;
   InterruptedRun run{read_checkpoint(saved), {}, {}};
   run.head = head_of(run.checkpoint, resolved);
-  for (const fs::path& path : {put_aside(archive), unfinished_path(archive), archive}) {
+  for (const fs::path& path : {put_aside_path(archive), unfinished_path(archive), archive}) {
     if (!has_all(path, run.head, resolved)) continue;
     run.archive = path;
     if (path != unfinished_path(archive)) return run;
-    run.archive = put_aside(archive);
+    run.archive = put_aside_path(archive);
     fs::rename(path, run.archive);
     return run;
   }
@@ -64,7 +63,7 @@ void CheckpointKeeper::checkpoint(const Checkpoint& checkpoint) {
 void CheckpointKeeper::remove() {
   fs::remove(checkpoint_path(archive_));
   fs::remove(fs::path(checkpoint_path(archive_)) += ".part");  // whoever wrote it was killed
-  fs::remove(put_aside(archive_));
+  fs::remove(put_aside_path(archive_));
   fs::remove(unfinished_path(archive_));
 }
 

@@ -15,6 +15,9 @@ struct InterruptedRun {
   std::filesystem::path archive;
 };
 
+/// The name of an unfinished archive of an earlier run while another is made from it.
+std::filesystem::path put_aside_path(const std::filesystem::path& archive);
+
 /// What an earlier run of a case left beside its archive, whether it was stopped or killed. An unfinished
 /// archive is put aside so that another can be begun under its name; `ResumedOutput` removes it.
 /// @return nothing if it left no checkpoint

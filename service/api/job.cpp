@@ -12,8 +12,7 @@
 #include "service/http/duration.h"
 #include "service/http/guarded_server.h"
 #include "service/http/problem.h"
-#include "service/log.h"
-#include "service/queue/attempt.h"
+#include "service/queue/job_files.h"
 
 namespace rouleau::service {
 
@@ -72,28 +71,7 @@ void get(Service& service, const Call& call, httplib::Response& response) {
   if (!answer_not_modified(call, weak_etag(dump(body)), response)) answer_json(body, response);
 }
 
-void cancel(Service& service, const Call& call, httplib::Response& response) {
-  check_query(call, {});
-  try {
-    const auto job = service.store.request_cancel(call.part("id"));
-    if (!job) throw Problem(problems::not_found, "no job has this id");
-    service.queue.cancel(job->id);
-    log::info("cancellation asked for", {{"request", call.request_id}, {"job", job->id}});
-    answer_json(job_in_full(service, *job), response, storage::has_ended(job->state) ? 200 : 202);
-  } catch (const storage::InvalidTransition& error) {
-    throw Problem(
-        problems::invalid_transition,
-        "the job is " + std::string(storage::to_string(error.state())) + " and cannot be cancelled");
-  }
-}
-
 }  // namespace
-
-storage::Job find_job(Service& service, const Call& call) {
-  auto job = service.store.find(call.part("id"));
-  if (!job) throw Problem(problems::not_found, "no job has this id");
-  return *job;
-}
 
 storage::Job find_finished(Service& service, const Call& call) {
   storage::Job job = find_job(service, call);
@@ -118,8 +96,6 @@ nlohmann::json job_in_full(Service& service, const storage::Job& job) {
 void add_job(Router& router, Service& service) {
   router.add("GET", "/v1/jobs/{id}",
              [&service](const Call& call, httplib::Response& response) { get(service, call, response); });
-  router.add("POST", "/v1/jobs/{id}:cancel",
-             [&service](const Call& call, httplib::Response& response) { cancel(service, call, response); });
 }
 
 }  // namespace rouleau::service

@@ -1,29 +1,53 @@
 #include "service/api/job_data.h"
 
+#include "service/queue/job_files.h"
+
 namespace rouleau::service {
 
 JobData::JobData(Service& service, const storage::Job& job) {
   if (job.archive_size) {
     archive_.emplace(archive_of(service, job));
-  } else {
-    live_ = service.queue.live().find(job.id);
+    return;
+  }
+  live_ = service.queue.live().find(job.id);
+  if ((live_ && live_->has_begun()) || storage::has_ended(job.state)) return;
+  // It waits with what it has computed.
+  const auto unfinished = unfinished_archive(service.queue.archives(), job.id);
+  if (unfinished.empty()) return;
+  live_.reset();
+  archive_.emplace(unfinished);
+  is_finished_ = false;
+}
+
+/// Of an archive that is not finished the end may be torn, or a worker may just take it: then there is
+/// nothing.
+template <class Read>
+auto JobData::read(Read&& read) const -> decltype(read(std::declval<const storage::ArchiveReader&>())) {
+  if (!archive_) return {};
+  try {
+    return read(*archive_);
+  } catch (const storage::ArchiveError&) {
+    if (is_finished_) throw;
+    return {};
   }
 }
 
 storage::SeriesTable JobData::series() const {
   if (live_) return live_->series();
-  return archive_ ? archive_->series() : storage::SeriesTable{};
+  return read([](const storage::ArchiveReader& archive) { return archive.series(); });
 }
 
 std::vector<double> JobData::frame_times() const {
   if (live_) return live_->frame_times();
-  return archive_ ? archive_->frame_times() : std::vector<double>{};
+  return read([](const storage::ArchiveReader& archive) { return archive.frame_times(); });
 }
 
 std::optional<std::vector<storage::Outline>> JobData::outlines(int k) const {
   if (live_) return live_->outlines(k);
-  if (!archive_ || k < 0 || k >= archive_->frame_count()) return std::nullopt;
-  return archive_->outlines(k);
+  return read([k](const storage::ArchiveReader& archive) -> std::optional<std::vector<storage::Outline>> {
+    if (k < 0 || k >= archive.frame_count()) return std::nullopt;
+    return archive.outlines(k);
+  });
 }
 
 std::optional<Frame> JobData::frame(int k) const {
@@ -36,13 +60,15 @@ std::optional<Frame> JobData::frame(int k) const {
     }
     return std::nullopt;
   }
-  if (!archive_ || k < 0 || k >= archive_->frame_count()) return std::nullopt;
-  return archive_->frame(k);
+  return read([k](const storage::ArchiveReader& archive) -> std::optional<Frame> {
+    if (k < 0 || k >= archive.frame_count()) return std::nullopt;
+    return archive.frame(k);
+  });
 }
 
 WallNodes JobData::walls() const {
   if (live_) return live_->walls();
-  return archive_ ? archive_->walls() : WallNodes{};
+  return read([](const storage::ArchiveReader& archive) { return archive.walls(); });
 }
 
 }  // namespace rouleau::service

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "service/api/service.h"
@@ -8,8 +10,8 @@
 
 namespace rouleau::service {
 
-/// What a job has computed so far: from memory while it runs, from its archive once it has one, and nothing
-/// where there is neither.
+/// What a job has computed so far: from memory while it runs, from its archive once it has one or from the
+/// unfinished one that it goes on from, and nothing where there is none of them.
 class JobData {
  public:
   JobData(Service& service, const storage::Job& job);
@@ -25,8 +27,12 @@ class JobData {
   bool is_live() const { return live_ != nullptr; }
 
  private:
+  template <class Read>
+  auto read(Read&& read) const -> decltype(read(std::declval<const storage::ArchiveReader&>()));
+
   std::shared_ptr<LiveJob> live_;
   std::optional<storage::ArchiveReader> archive_;
+  bool is_finished_ = true;
 };
 
 }  // namespace rouleau::service

@@ -1,11 +1,9 @@
 #include "service/api/job_json.h"
 
-#include <chrono>
-
-#include <fmt/chrono.h>
 #include <nlohmann/json.hpp>
 
 #include "service/queue/progress_json.h"
+#include "service/time_text.h"
 
 namespace rouleau::service {
 
@@ -28,11 +26,6 @@ nlohmann::json progress_of(const storage::Job& job, const LiveJobs& live) {
 }
 
 }  // namespace
-
-std::string format_time(storage::TimeMs time) {
-  const std::time_t seconds = time / 1000;
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z", fmt::gmtime(seconds), time % 1000);
-}
 
 nlohmann::json to_json(const storage::Job& job, const LiveJobs& live) {
   return {{"id", job.id},

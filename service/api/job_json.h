@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include <nlohmann/json_fwd.hpp>
 
 #include "service/queue/live_jobs.h"
@@ -11,8 +9,5 @@ namespace rouleau::service {
 
 /// A job as lists show it: without its plan and its case. While it runs, its progress is the live one.
 nlohmann::json to_json(const storage::Job& job, const LiveJobs& live);
-
-/// RFC 3339 UTC with milliseconds.
-std::string format_time(storage::TimeMs time);
 
 }  // namespace rouleau::service

@@ -10,7 +10,7 @@
 #include "service/api/service.h"
 #include "service/http/guarded_server.h"
 #include "service/http/problem.h"
-#include "service/queue/attempt.h"
+#include "service/queue/job_files.h"
 #include "storage/archive_reader.h"
 
 namespace rouleau::service {

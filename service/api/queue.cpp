@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "service/api/job_json.h"
 #include "service/api/query.h"
 #include "service/api/service.h"
 #include "service/http/guarded_server.h"
 #include "service/log.h"
+#include "service/time_text.h"
 
 namespace rouleau::service {
 

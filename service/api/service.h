@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,6 +15,14 @@
 
 namespace rouleau::service {
 
+/// Event streams. Each holds a thread of the server's.
+struct Streams {
+  int most = 64;
+  std::chrono::milliseconds comment_interval{15000};  ///< so that a client which has gone is noticed
+  std::chrono::milliseconds longest{3600000};         ///< then the client connects again
+  std::atomic<int> open = 0;
+};
+
 /// What the resources of the API work on.
 struct Service {
   storage::JobStore& store;
@@ -23,23 +32,27 @@ struct Service {
   QueueRoom room;
   KeysInFlight keys{};
   std::atomic<int> waiting = 0;  ///< requests that wait for a change
+  Streams streams{};
 };
 
 // One file a resource; each adds its routes.
-void add_jobs(Router& router, Service& service);     ///< /v1/jobs
-void add_queue(Router& router, Service& service);    ///< /v1/queue
-void add_job(Router& router, Service& service);      ///< /v1/jobs/{id} and what can be done to it
-void add_series(Router& router, Service& service);   ///< /v1/jobs/{id}/series
-void add_frames(Router& router, Service& service);   ///< /v1/jobs/{id}/frames
-void add_probes(Router& router, Service& service);   ///< /v1/jobs/{id}/probes
-void add_archive(Router& router, Service& service);  ///< /v1/jobs/{id}/archive.h5
-void add_cases(Router& router, Service& service);    ///< /v1/cases:validate, :plan, /v1/schema/case.json
-void add_problems(Router& router);                   ///< /problems/{name}
-void add_openapi(Router& router);                    ///< /openapi.json
+void add_jobs(Router& router, Service& service);         ///< /v1/jobs
+void add_queue(Router& router, Service& service);        ///< /v1/queue
+void add_job(Router& router, Service& service);          ///< /v1/jobs/{id}
+void add_job_actions(Router& router, Service& service);  ///< what can be done to it
+void add_events(Router& router, Service& service);       ///< /v1/jobs/{id}/events
+void add_log(Router& router, Service& service);          ///< /v1/jobs/{id}/log
+void add_series(Router& router, Service& service);       ///< /v1/jobs/{id}/series
+void add_frames(Router& router, Service& service);       ///< /v1/jobs/{id}/frames
+void add_probes(Router& router, Service& service);       ///< /v1/jobs/{id}/probes
+void add_archive(Router& router, Service& service);      ///< /v1/jobs/{id}/archive.h5
+void add_cases(Router& router, Service& service);        ///< /v1/cases:validate, :plan, /v1/schema/case.json
+void add_problems(Router& router);                       ///< /problems/{name}
+void add_openapi(Router& router);                        ///< /openapi.json
 void add_health(Router& router, const std::atomic<bool>& draining);  ///< /livez, /readyz
 
 /// The job with the id of the route.
-/// @throws Problem 404
+/// @throws Problem 404, 410
 storage::Job find_job(Service& service, const Call& call);
 
 /// The same, once its archive is there: it has succeeded, or gone unstable on its way.

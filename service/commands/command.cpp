@@ -69,7 +69,7 @@ int run_command_line(int argc, char** argv) {
   Action action;
   for (const auto add :
        {add_validate, add_plan, add_run, add_series, add_sweep, add_bench, add_serve, add_submit, add_status,
-        add_wait, add_fetch, add_job_actions, add_delete, add_queue}) {
+        add_wait, add_logs, add_fetch, add_job_actions, add_delete, add_queue}) {
     add(app, action);
   }
   try {

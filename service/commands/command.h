@@ -41,6 +41,7 @@ void add_submit(CLI::App& app, Action& action);
 void add_status(CLI::App& app, Action& action);
 void add_wait(CLI::App& app, Action& action);
 void add_fetch(CLI::App& app, Action& action);
+void add_logs(CLI::App& app, Action& action);
 void add_job_actions(CLI::App& app, Action& action);  ///< cancel, pause, resume, retry
 void add_delete(CLI::App& app, Action& action);
 void add_queue(CLI::App& app, Action& action);

@@ -35,6 +35,20 @@ void add_serve(CLI::App& app, Action& action) {
   command->add_option("--max-queued", options->most_queued, "Jobs that may wait; beyond them 503 queue-full")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--checkpoint-interval", options->checkpoint_interval,
+          "Seconds between checkpoints of a running job; 0: only when it is paused or the service ends")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str();
+  command->add_option("--max-streams", options->max_streams, "Event streams open at a time")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command
+      ->add_option("--stream-heartbeat", options->stream_heartbeat,
+                   "Seconds without an event after which a stream sends a comment")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
   command->add_option("--token-file", options->token_file, "Tokens that may call, one a line");
   command->add_option("--port-file", options->port_file, "Write the port here once it answers");
   command->add_option("--web", options->web,

@@ -35,11 +35,16 @@ const ProblemKind not_finished{"not-finished", 409, "The job has no archive",
                                "The archive is there once the job has succeeded, or failed because its run "
                                "went unstable. Wait for it with "
                                "`GET /v1/jobs/{id}?wait=20s`."};
-const ProblemKind invalid_transition{"invalid-transition", 409, "Not possible in this state",
-                                     "A job that has ended cannot be cancelled."};
+const ProblemKind invalid_transition{
+    "invalid-transition", 409, "Not possible in this state",
+    "The state that the job is in does not allow this; `detail` says what it "
+    "does allow."};
 const ProblemKind idempotency_in_progress{
     "idempotency-in-progress", 409, "The same request is being worked on",
     "Another request with this `Idempotency-Key` has not been answered yet. Wait and send it again."};
+const ProblemKind expired{
+    "expired", 410, "The job was removed",
+    "The job had ended and was removed to make room for others. Submit its case again."};
 const ProblemKind length_required{
     "length-required", 411, "Content-Length is needed",
     "Bodies are taken with a Content-Length only; chunked transfer encoding is not."};
@@ -79,6 +84,10 @@ const ProblemKind too_many_connections{
 const ProblemKind queue_full{"queue-full", 503, "Too many jobs wait",
                              "The queue has no room. Try again after `Retry-After` seconds, or let whoever "
                              "runs the server raise `--max-queued`."};
+const ProblemKind too_many_streams{
+    "too-many-streams", 503, "Too many event streams",
+    "As many event streams are open as the server allows (`--max-streams`). Close one, try again after "
+    "`Retry-After` seconds, or ask for the job itself with `?wait=20s`."};
 const ProblemKind unavailable{"unavailable", 503, "Nothing can be stored now",
                               "The disk is full or refuses; the job was not accepted. Try again later."};
 
@@ -98,6 +107,7 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &not_finished,
                                                      &invalid_transition,
                                                      &idempotency_in_progress,
+                                                     &expired,
                                                      &length_required,
                                                      &payload_too_large,
                                                      &uri_too_long,
@@ -112,6 +122,7 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &draining,
                                                      &too_many_connections,
                                                      &queue_full,
+                                                     &too_many_streams,
                                                      &unavailable};
   return kinds;
 }

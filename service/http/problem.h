@@ -33,6 +33,7 @@ extern const ProblemKind request_timeout;
 extern const ProblemKind not_finished;
 extern const ProblemKind invalid_transition;
 extern const ProblemKind idempotency_in_progress;
+extern const ProblemKind expired;
 extern const ProblemKind length_required;
 extern const ProblemKind payload_too_large;
 extern const ProblemKind uri_too_long;
@@ -46,6 +47,7 @@ extern const ProblemKind headers_too_large;
 extern const ProblemKind internal;
 extern const ProblemKind draining;
 extern const ProblemKind too_many_connections;
+extern const ProblemKind too_many_streams;
 extern const ProblemKind queue_full;
 extern const ProblemKind unavailable;
 }  // namespace problems

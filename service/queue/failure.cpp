@@ -74,11 +74,11 @@ Failure failure_of(const std::exception& error) {
   return {kind, error_of(kind, error.what())};
 }
 
-std::optional<std::chrono::seconds> retry_after(int attempt) {
+std::optional<std::chrono::seconds> retry_after(int setbacks) {
   static constexpr std::array<std::chrono::seconds, 4> gaps{
       std::chrono::seconds(5), std::chrono::seconds(20), std::chrono::seconds(60), std::chrono::seconds(180)};
-  if (attempt < 1 || static_cast<std::size_t>(attempt) > gaps.size()) return std::nullopt;
-  return gaps[static_cast<std::size_t>(attempt) - 1];
+  if (setbacks < 1 || static_cast<std::size_t>(setbacks) > gaps.size()) return std::nullopt;
+  return gaps[static_cast<std::size_t>(setbacks) - 1];
 }
 
 }  // namespace rouleau::service

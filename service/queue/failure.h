@@ -21,8 +21,9 @@ std::string_view to_string(Failure::Kind kind);
 /// What an exception that a run threw means for its job.
 Failure failure_of(const std::exception& error);
 
-/// How long an attempt that an infrastructure error ended waits for the next one; none: there is no next one.
-/// @param attempt the one that ended, from 1
-std::optional<std::chrono::seconds> retry_after(int attempt);
+/// How long a job whose attempt an infrastructure error ended waits for the next one; none: there is no next
+/// one.
+/// @param setbacks  in a row, with this one; from 1
+std::optional<std::chrono::seconds> retry_after(int setbacks);
 
 }  // namespace rouleau::service

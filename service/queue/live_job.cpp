@@ -1,6 +1,6 @@
 #include "service/queue/live_job.h"
 
-#include <cstddef>
+#include <algorithm>
 
 namespace rouleau::service {
 
@@ -30,6 +30,8 @@ void LiveJob::begin(const RunHeader& header) {
   cells_ = header.nodes_per_cell.size();
   walls_ = header.walls;
   membrane_fields_ = header.membrane_fields;
+  outlines_.clear();
+  last_frame_.reset();
 }
 
 void LiveJob::series_row(std::span<const double> row) {
@@ -50,9 +52,26 @@ void LiveJob::progress(const Progress& progress) {
   progress_ = progress;
 }
 
+bool LiveJob::has_begun() const {
+  const std::lock_guard lock(mutex_);
+  return !series_.columns.empty();
+}
+
 storage::SeriesTable LiveJob::series() const {
   const std::lock_guard lock(mutex_);
   return series_;
+}
+
+storage::SeriesTable LiveJob::series(std::size_t first, std::size_t most) const {
+  const std::lock_guard lock(mutex_);
+  storage::SeriesTable part{series_.columns, {}};
+  for (const auto& values : series_.values) {
+    const std::size_t begin = std::min(first, values.size());
+    const std::size_t end = begin + std::min(most, values.size() - begin);
+    part.values.emplace_back(values.begin() + static_cast<std::ptrdiff_t>(begin),
+                             values.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return part;
 }
 
 std::vector<double> LiveJob::frame_times() const {

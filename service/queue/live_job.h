@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,7 +16,7 @@
 namespace rouleau::service {
 
 /// Why a run was asked to stop.
-enum class StopReason { none, cancelled, draining, lease_lost };
+enum class StopReason { none, cancelled, paused, draining, lease_lost };
 
 /// What is known of a job while it runs: its series, the outlines of every frame and the particles of the
 /// last one. The run writes, any thread reads; readers get copies.
@@ -26,12 +27,17 @@ class LiveJob : public Output {
   const std::string& id() const { return id_; }
   int attempt() const { return attempt_; }
 
+  /// What an attempt had before that is forgotten: it is delivered again.
   void begin(const RunHeader& header) override;
   void series_row(std::span<const double> row) override;
   void frame(const Frame& frame) override;
   void progress(const Progress& progress) override;
 
+  /// What an earlier attempt had computed is there once this is.
+  bool has_begun() const;
   storage::SeriesTable series() const;
+  /// At most so many rows from `first` on.
+  storage::SeriesTable series(std::size_t first, std::size_t most) const;
   std::vector<double> frame_times() const;                             ///< s
   std::optional<std::vector<storage::Outline>> outlines(int k) const;  ///< none: no such frame
   /// Of the last frame alone.

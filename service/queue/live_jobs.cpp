@@ -17,9 +17,20 @@ void LiveJobs::end(const std::shared_ptr<LiveJob>& job, bool keep) {
   const auto found = running_.find(job->id());
   if (found == running_.end() || found->second != job) return;
   running_.erase(found);
+  ended_.notify_all();
   if (!keep) return;
   kept_.push_back(job);
   if (kept_.size() > kept_after_end) kept_.pop_front();
+}
+
+void LiveJobs::forget(std::string_view id) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(kept_, [&](const auto& job) { return job->id() == id; });
+}
+
+bool LiveJobs::wait_until_ended(std::string_view id, std::chrono::milliseconds patience) const {
+  std::unique_lock lock(mutex_);
+  return ended_.wait_for(lock, patience, [&] { return !running_.contains(id); });
 }
 
 std::shared_ptr<LiveJob> LiveJobs::find(std::string_view id) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <map>
@@ -23,12 +25,18 @@ class LiveJobs {
   /// @param keep whether its series and outlines are still worth showing
   void end(const std::shared_ptr<LiveJob>& job, bool keep);
 
+  /// Of one that does not run, what was kept.
+  void forget(std::string_view id);
+
+  /// @return whether the job does not run, or has ended before the time is up
+  bool wait_until_ended(std::string_view id, std::chrono::milliseconds patience) const;
   /// Running or kept; null if neither.
   std::shared_ptr<LiveJob> find(std::string_view id) const;
   std::vector<std::shared_ptr<LiveJob>> running() const;
 
  private:
   mutable std::mutex mutex_;
+  mutable std::condition_variable ended_;
   std::map<std::string, std::shared_ptr<LiveJob>, std::less<>> running_;
   std::deque<std::shared_ptr<LiveJob>> kept_;
 };

@@ -9,7 +9,7 @@
 #include "service/http/problem.h"
 #include "service/http/request_id.h"
 #include "service/log.h"
-#include "service/queue/attempt.h"
+#include "service/queue/job_files.h"
 #include "service/queue/progress_json.h"
 
 namespace rouleau::service {
@@ -19,11 +19,18 @@ namespace {
 constexpr std::chrono::seconds heartbeat_interval{2};
 // A job released with a gap becomes due without anybody waking a worker.
 constexpr std::chrono::seconds idle_interval{1};
+// An attempt that has given its job back has only to close its files.
+constexpr std::chrono::seconds handover_time{1};
 
 }  // namespace
 
-Queue::Queue(storage::JobStore& store, std::filesystem::path archives, KnownMachine& machine)
-    : store_(store), archives_(std::move(archives)), machine_(machine), owner_("local-" + new_request_id()) {
+Queue::Queue(storage::JobStore& store, const std::filesystem::path& data, KnownMachine& machine,
+             std::chrono::duration<double> checkpoint_interval)
+    : store_(store),
+      archives_(data / "archives"),
+      owner_("local-" + new_request_id()),
+      logs_(data / "logs"),
+      place_{store, live_, logs_, machine, archives_, checkpoint_interval} {
   std::filesystem::create_directories(archives_);
 }
 
@@ -32,12 +39,23 @@ Queue::~Queue() {
 }
 
 void Queue::start(int workers) {
-  remove_unfinished_archives(archives_);
   if (const int recovered = store_.recover(owner_); recovered > 0) {
     log::info("took back the jobs of a process that died", {{"jobs", std::to_string(recovered)}});
   }
+  tidy_up();
   heartbeat_ = std::thread([this] { keep_leases(); });
+  worker_count_ = workers;
   for (int i = 0; i < workers; ++i) workers_.emplace_back([this] { work(); });
+}
+
+void Queue::tidy_up() {
+  using enum storage::JobState;
+  tidy(archives_, [this](std::string_view id) {
+    const auto job = store_.find(id);
+    if (!job) return false;
+    const bool may_be_retried = job->state == failed && !job->archive_size;
+    return job->state == queued || job->state == paused || may_be_retried;
+  });
 }
 
 void Queue::wake() {
@@ -49,8 +67,20 @@ void Queue::wake() {
   changes_.announce();
 }
 
-void Queue::cancel(std::string_view id) {
-  if (const auto job = live_.find(id)) job->stop(StopReason::cancelled);
+void Queue::stop(std::string_view id, StopReason reason) {
+  if (const auto job = live_.find(id)) job->stop(reason);
+  changes_.announce();
+}
+
+void Queue::drop_progress(std::string_view id) {
+  remove_unfinished(archives_, id);
+}
+
+void Queue::forget(std::string_view id, const std::optional<std::string>& archive_id) {
+  live_.forget(id);
+  if (archive_id) remove_archive(archives_, *archive_id);
+  remove_unfinished(archives_, id);
+  logs_.remove(id);
   changes_.announce();
 }
 
@@ -92,7 +122,13 @@ bool Queue::work_once() {
   auto claimed = store_.claim(owner_, lease_time);
   if (!claimed) return false;
   changes_.announce();
-  Attempt attempt(store_, live_, archives_, machine_, std::move(*claimed));
+  if (!live_.wait_until_ended(claimed->job.id, handover_time)) {
+    // The last attempt lost its lease and has not stopped yet; both would write the same files.
+    if (const auto last = live_.find(claimed->job.id)) last->stop(StopReason::lease_lost);
+    store_.release(claimed->job.id, claimed->job.attempt, storage::system_clock_ms() + lease_time.count());
+    return true;
+  }
+  Attempt attempt(place_, std::move(*claimed));
   {
     // A drain that began between the claim and here has not seen this job.
     const std::lock_guard lock(mutex_);
@@ -112,6 +148,7 @@ void Queue::renew_leases() {
         store_.renew(job->id(), job->attempt(), lease_time,
                      progress ? std::optional<std::string>(dump(to_json(*progress))) : std::nullopt);
     if (lease == storage::Lease::cancel_requested) job->stop(StopReason::cancelled);
+    if (lease == storage::Lease::pause_requested) job->stop(StopReason::paused);
     // A job that has just ended is no longer held either; then nobody listens to this.
     if (lease == storage::Lease::lost) job->stop(StopReason::lease_lost);
   }

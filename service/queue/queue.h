@@ -1,14 +1,20 @@
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <vector>
 
 #include "service/known_machine.h"
+#include "service/queue/attempt.h"
+#include "service/queue/job_logs.h"
 #include "service/queue/live_jobs.h"
 #include "service/queue/signal_board.h"
 #include "storage/job_store.h"
@@ -19,9 +25,11 @@ namespace rouleau::service {
 /// own, which never computes, renews their leases.
 class Queue {
  public:
-  /// @param archives folder for the archives; made if it is not there
+  /// @param data     folder for the archives and the logs, each in one of its own
   /// @param machine  that the plans in the archives are for
-  Queue(storage::JobStore& store, std::filesystem::path archives, KnownMachine& machine);
+  /// @param checkpoint_interval  infinite: only when a run is stopped
+  Queue(storage::JobStore& store, const std::filesystem::path& data, KnownMachine& machine,
+        std::chrono::duration<double> checkpoint_interval);
   /// Drains.
   ~Queue();
   Queue(const Queue&) = delete;
@@ -33,18 +41,28 @@ class Queue {
   /// A job was submitted.
   void wake();
 
-  /// Makes a running job stop for a cancellation that the store has on record.
-  void cancel(std::string_view id);
+  /// Makes a running job stop for a cancellation or a pause that the store has on record.
+  void stop(std::string_view id, StopReason reason);
 
-  /// Stops the runs, gives their jobs back to the queue and returns when all workers have ended.
+  /// Stops the runs at a checkpoint, gives their jobs back to the queue and returns when all workers have
+  /// ended.
   void drain();
 
-  int workers() const { return static_cast<int>(workers_.size()); }
+  /// Removes what a job that waited was to go on from.
+  void drop_progress(std::string_view id);
+
+  /// Removes the files of a job that the store has forgotten.
+  /// @param archive_id  the archive that no other job has, if there is one
+  void forget(std::string_view id, const std::optional<std::string>& archive_id);
+
+  int workers() const { return worker_count_; }
   LiveJobs& live() { return live_; }
+  JobLogs& logs() { return logs_; }
   SignalBoard& changes() { return changes_; }
   const std::filesystem::path& archives() const { return archives_; }
 
  private:
+  void tidy_up();
   void work();
   bool work_once();
   void renew_leases();
@@ -52,9 +70,10 @@ class Queue {
 
   storage::JobStore& store_;
   const std::filesystem::path archives_;
-  KnownMachine& machine_;
   const std::string owner_;
   LiveJobs live_;
+  JobLogs logs_;
+  Workplace place_;
   SignalBoard changes_;
 
   std::mutex mutex_;
@@ -63,6 +82,7 @@ class Queue {
   bool draining_ = false;
   bool leases_needed_ = true;
   std::vector<std::thread> workers_;
+  std::atomic<int> worker_count_ = 0;
   std::thread heartbeat_;
 };
 

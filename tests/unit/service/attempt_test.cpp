@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "storage/archive_reader.h"
+#include "storage/checkpoint_file.h"
 #include "storage/sha256.h"
 
 namespace rouleau::service {
@@ -35,9 +36,12 @@ class AttemptAtAJob : public testing::Test {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(archives_);
     store_.emplace(folder_ / "data");
+    logs_.emplace(folder_ / "logs");
+    place_.emplace(*store_, live_, *logs_, machine_, archives_);
     id_ = submit(short_case);
   }
   void TearDown() override {
+    place_.reset();
     store_.reset();
     std::filesystem::remove_all(folder_);
   }
@@ -50,8 +54,15 @@ class AttemptAtAJob : public testing::Test {
     job.fresh = true;
     return store_->submit(job).job.id;
   }
-  Attempt begin() { return {*store_, live_, archives_, machine_, store_->claim("test", lease_time).value()}; }
+  Attempt begin() { return {place_.value(), store_->claim("test", lease_time).value()}; }
   storage::Job job() { return store_->find(id_).value(); }
+  std::string log() { return logs_->read(job(), 0); }
+  /// What an attempt leaves that is stopped before its first step.
+  void stop_at_once(StopReason reason) {
+    Attempt attempt = begin();
+    live_.find(id_)->stop(reason);
+    attempt.run();
+  }
   bool has_files() const { return !std::filesystem::is_empty(archives_); }
 
   std::filesystem::path folder_ =
@@ -60,7 +71,9 @@ class AttemptAtAJob : public testing::Test {
   std::filesystem::path archives_ = folder_ / "archives";
   std::optional<storage::JobStore> store_;
   KnownMachine machine_{folder_};
+  std::optional<JobLogs> logs_;
   LiveJobs live_;
+  std::optional<Workplace> place_;
   std::string id_;
 };
 
@@ -101,6 +114,68 @@ TEST_F(AttemptAtAJob, GivesTheJobBackWhenItDrains) {
   attempt.run();
   EXPECT_EQ(job().state, JobState::queued);
   EXPECT_FALSE(job().not_before);
+}
+
+TEST_F(AttemptAtAJob, PausesAtACheckpointAndGoesOnFromIt) {
+  Attempt attempt = begin();
+  store_->request_pause(id_);
+  live_.find(id_)->stop(StopReason::paused);
+  attempt.run();
+  EXPECT_EQ(job().state, JobState::paused);
+  EXPECT_TRUE(std::filesystem::exists(storage::checkpoint_path(archive_path(archives_, id_))));
+  EXPECT_FALSE(unfinished_archive(archives_, id_).empty());
+
+  store_->resume(id_);
+  begin().run();
+  EXPECT_EQ(job().state, JobState::succeeded);
+  EXPECT_NE(log().find("event=\"goes on\" step=0"), std::string::npos) << log();
+  EXPECT_TRUE(unfinished_archive(archives_, id_).empty());
+}
+
+TEST_F(AttemptAtAJob, IsCancelledThoughItWasToldToPauseFirst) {
+  Attempt attempt = begin();
+  live_.find(id_)->stop(StopReason::paused);
+  store_->request_cancel(id_);
+  attempt.run();
+  EXPECT_EQ(job().state, JobState::cancelled);
+  EXPECT_FALSE(has_files());
+}
+
+TEST_F(AttemptAtAJob, BeginsAnewIfItsCheckpointIsDamaged) {
+  stop_at_once(StopReason::draining);
+  std::ofstream(storage::checkpoint_path(archive_path(archives_, id_)), std::ios::app) << "more";
+  begin().run();
+  EXPECT_EQ(job().state, JobState::succeeded);
+  EXPECT_NE(log().find("event=\"begins anew\""), std::string::npos) << log();
+}
+
+TEST_F(AttemptAtAJob, BeginsAnewIfItKeepsDyingOfItsCheckpoint) {
+  stop_at_once(StopReason::draining);
+  for (int k = 0; k < setbacks_until_anew; ++k) {
+    const auto claimed = store_->claim("test", lease_time).value();
+    ASSERT_TRUE(store_->release(id_, claimed.job.attempt, 0));
+  }
+  begin().run();
+  EXPECT_EQ(job().state, JobState::succeeded);
+  EXPECT_NE(log().find("attempts died"), std::string::npos) << log();
+}
+
+TEST_F(AttemptAtAJob, IsTheLastOfTooManyInARowThatDied) {
+  for (int k = 0; k < most_setbacks; ++k) {
+    const auto claimed = store_->claim("test", lease_time).value();
+    ASSERT_TRUE(store_->release(id_, claimed.job.attempt, 0));
+  }
+  begin().run();
+  EXPECT_EQ(job().state, JobState::failed);
+  EXPECT_EQ(nlohmann::json::parse(*job().error)["kind"], "infrastructure");
+}
+
+TEST_F(AttemptAtAJob, ThatLeftACheckpointWasNotInVain) {
+  const auto claimed = store_->claim("test", lease_time).value();
+  ASSERT_TRUE(store_->release(id_, claimed.job.attempt, 0));
+  EXPECT_EQ(job().setbacks, 1);
+  stop_at_once(StopReason::draining);
+  EXPECT_EQ(job().setbacks, 0);
 }
 
 TEST_F(AttemptAtAJob, IsRepeatedLaterIfTheMachineFailed) {
@@ -148,17 +223,6 @@ TEST_F(AttemptAtAJob, ThatGoesUnstableWithoutItsLeasePublishesNothing) {
   attempt.run();
   EXPECT_EQ(job().state, JobState::queued);
   EXPECT_FALSE(has_files());
-}
-
-TEST(UnfinishedArchives, AreRemovedAtTheStart) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "unfinished_archives_test";
-  std::filesystem::create_directories(folder);
-  for (const char* const name : {"a.h5", "b.h5.part", "b.xdmf.part"}) std::ofstream(folder / name) << "x";
-  remove_unfinished_archives(folder);
-  EXPECT_TRUE(std::filesystem::exists(folder / "a.h5"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "b.h5.part"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "b.xdmf.part"));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

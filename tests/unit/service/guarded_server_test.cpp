@@ -52,7 +52,7 @@ TEST(Jobs, AreNotTakenWhileDraining) {
   {
     storage::JobStore store(folder);
     KnownMachine machine(folder);
-    Queue queue(store, folder / "archives", machine);
+    Queue queue(store, folder, machine, std::chrono::seconds(60));
     std::atomic<bool> draining = true;
     Service service{store, queue, draining, machine, QueueRoom(store, 1)};
     Router router;

@@ -1,6 +1,8 @@
 #include "service/queue/live_job.h"
 
 #include <array>
+#include <chrono>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +55,27 @@ TEST(LiveJob, ShowsWhatTheRunDelivered) {
   EXPECT_EQ(job.last_frame()->time, 0.5);
 }
 
+TEST(LiveJob, GivesTheRowsFromOneOn) {
+  LiveJob job("id", 1);
+  EXPECT_TRUE(job.series(0, 10).values.empty());
+  job.begin(header_of_two_cells());
+  for (const double time : {0.0, 0.5, 1.0}) job.series_row(std::array{time, 2 * time});
+  EXPECT_EQ(job.series(1, 1).values, (std::vector<std::vector<double>>{{0.5}, {1}}));
+  EXPECT_EQ(job.series(2, 10).values, (std::vector<std::vector<double>>{{1}, {2}}));
+  EXPECT_EQ(job.series(9, 10).values, (std::vector<std::vector<double>>{{}, {}}));
+}
+
+TEST(LiveJob, ForgetsWhatIsDeliveredAgain) {
+  LiveJob job("id", 1);
+  job.begin(header_of_two_cells());
+  job.series_row(std::array{0.0, 1.0});
+  job.frame(frame_at(0));
+  job.begin(header_of_two_cells());
+  EXPECT_TRUE(job.frame_times().empty());
+  EXPECT_FALSE(job.last_frame());
+  EXPECT_TRUE(job.series().values.at(0).empty());
+}
+
 TEST(LiveJob, ACellThatHasLeftHasAnEmptyOutline) {
   LiveJob job("id", 1);
   job.begin(header_of_two_cells());
@@ -76,6 +99,18 @@ TEST(LiveJob, StopsForTheFirstReasonGiven) {
   job.stop(StopReason::draining);
   EXPECT_TRUE(job.stop_token().stop_requested());
   EXPECT_EQ(job.stop_reason(), StopReason::cancelled);
+}
+
+TEST(LiveJobs, WaitsForTheEndOfAnAttempt) {
+  LiveJobs jobs;
+  EXPECT_TRUE(jobs.wait_until_ended("1", std::chrono::milliseconds(0)));
+  const auto job = jobs.start("1", 1);
+  EXPECT_FALSE(jobs.wait_until_ended("1", std::chrono::milliseconds(1)));
+  std::thread other([&] { jobs.end(job, true); });
+  EXPECT_TRUE(jobs.wait_until_ended("1", std::chrono::minutes(1)));
+  other.join();
+  jobs.forget("1");
+  EXPECT_EQ(jobs.find("1"), nullptr);
 }
 
 TEST(LiveJobs, KeepsTheLastOnesThatLeftNoArchive) {

@@ -2,10 +2,10 @@
 #include <nlohmann/json.hpp>
 
 #include "service/api/etag.h"
-#include "service/api/job_json.h"
 #include "service/commands/case_file.h"
 #include "service/commands/command.h"
 #include "service/commands/progress_line.h"
+#include "service/time_text.h"
 
 namespace rouleau::service {
 namespace {
