@@ -82,7 +82,7 @@ def test_input_is_not_echoed_into_headers(server):
 
 @pytest.mark.parametrize("method, path, allow", [
     ("PUT", "/v1/jobs", "GET, HEAD, POST"),
-    ("DELETE", "/v1/jobs/x", "GET, HEAD"),
+    ("PUT", "/v1/jobs/x", "DELETE, GET, HEAD"),
     ("GET", "/v1/jobs/x:cancel", "POST"),
     ("OPTIONS", "/v1/jobs", "GET, HEAD, POST"),
     ("TRACE", "/openapi.json", "GET, HEAD"),
