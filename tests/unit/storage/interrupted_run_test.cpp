@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <fstream>
+#include <iterator>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -172,6 +173,32 @@ TEST_F(Stopped, AnEndThatFailsLeavesWhatTheCheckpointGoesOnFrom) {
   EXPECT_TRUE(std::filesystem::exists(unfinished_path(archive)));
   EXPECT_TRUE(find_interrupted(archive, scene));
   std::filesystem::remove_all(archive);
+  run_to_the_end(archive, scene);
+  const auto whole = folder.path() / "whole.h5";
+  run_to_the_end(whole, scene);
+  expect_same_archive(archive, whole);
+}
+
+/// As a writer that was killed while it wrote a chunk of /series/time anew leaves it: with another checksum.
+void tear_the_times(const std::filesystem::path& archive) {
+  const std::vector<double> times = ArchiveReader(archive).series({"time"}).values.at(0);
+  ASSERT_GT(times.size(), 2u);
+  const std::string known(reinterpret_cast<const char*>(times.data()), 3 * sizeof(double));
+  std::fstream file(archive, std::ios::in | std::ios::out | std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const auto chunk = bytes.find(known);
+  ASSERT_NE(chunk, std::string::npos);
+  constexpr std::size_t rows_per_chunk = 1024;
+  file.seekp(static_cast<std::streamoff>(chunk + rows_per_chunk * sizeof(double)));
+  file << "torn";
+}
+
+TEST_F(Stopped, ATornLastChunkStillHasWhatTheCheckpointGoesOnFrom) {
+  ChildProcess child([&](const ChildProcess::Tell& tell) { run_to_the_end(archive, scene, tell); });
+  for (int k = 0; k < 5; ++k) ASSERT_EQ(child.read_line(), "checkpoint");
+  child.kill();
+  tear_the_times(unfinished_path(archive));
+  ASSERT_TRUE(find_interrupted(archive, scene));
   run_to_the_end(archive, scene);
   const auto whole = folder.path() / "whole.h5";
   run_to_the_end(whole, scene);
