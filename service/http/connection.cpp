@@ -4,6 +4,8 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <utility>
@@ -123,6 +125,13 @@ bool Connection::fetch_body() {
   body_left_ -= fetched;
   if (body_left_ == 0) body_ = nullptr;
   return true;
+}
+
+void Connection::begin_stream() {
+  streaming_ = true;
+  // Else a peer that vanished without a word is noticed after a quarter of an hour.
+  const auto patience = static_cast<unsigned>(timeouts_.unheard.count());
+  ::setsockopt(socket_, IPPROTO_TCP, TCP_USER_TIMEOUT, &patience, sizeof(patience));
 }
 
 bool Connection::flush() {

@@ -20,6 +20,7 @@ struct ConnectionTimeouts {
   std::chrono::milliseconds answer{10000};     ///< for an answer to be taken, and more for a long one:
   std::size_t least_bytes_per_second = 16384;  ///< at what rate it is taken at the least
   std::chrono::milliseconds silence{5000};     ///< in which a stream's reader takes nothing
+  std::chrono::milliseconds unheard{10000};    ///< since a stream's reader confirmed what was sent
   std::chrono::milliseconds goodbye{500};      ///< for the peer to close, once we have
 };
 
@@ -76,7 +77,7 @@ class Connection : public httplib::Stream {
   /// The body that follows what is written: asked for, a piece at a time, as the peer takes it.
   void attach(httplib::ContentProvider provider, std::size_t length);
   /// From here on each piece is sent as it is written.
-  void begin_stream() { streaming_ = true; }
+  void begin_stream();
   bool has_output() const { return sent_ < output_.size() || body_left_ > 0; }
   /// Sends what the peer takes now.
   /// @return false if it can be sent no more

@@ -1,5 +1,6 @@
 #include "service/queue/job_logs.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -20,6 +21,12 @@ std::string line_of(storage::TimeMs time, std::string_view event, log::Fields fi
 std::string first_line(const storage::Job& job) {
   return line_of(job.created_at, "accepted",
                  {{"job", job.id}, {"name", job.name}, {"priority", std::to_string(job.priority)}});
+}
+
+/// A job that was given another's result did not run, and nobody wrote of it.
+std::string last_line(const storage::Job& job) {
+  if (!job.result_of || !job.ended_at) return {};
+  return line_of(*job.ended_at, "succeeded", {{"result_of", *job.result_of}});
 }
 
 std::string line_now(std::string_view event, log::Fields fields) {
@@ -64,14 +71,9 @@ void JobLogs::append(const storage::Job& job, const std::string& line, std::uint
 
 std::string JobLogs::read(const storage::Job& job, std::uint64_t from) const {
   std::ifstream file(path(job.id), std::ios::binary);
-  if (!file) {
-    const std::string text = first_line(job);
-    return text.substr(std::min<std::uint64_t>(from, text.size()));
-  }
-  file.seekg(0, std::ios::end);
-  const auto size = static_cast<std::uint64_t>(file.tellg());
-  file.seekg(static_cast<std::streamoff>(std::min(from, size)));
-  return {std::istreambuf_iterator<char>(file), {}};
+  std::string text = file ? std::string(std::istreambuf_iterator<char>(file), {}) : first_line(job);
+  text += last_line(job);
+  return text.substr(std::min<std::uint64_t>(from, text.size()));
 }
 
 void JobLogs::remove(std::string_view id) {
