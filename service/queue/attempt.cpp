@@ -13,6 +13,7 @@
 #include "service/queue/attempt_notes.h"
 #include "service/queue/failure.h"
 #include "service/queue/fan_out.h"
+#include "service/queue/finished_archive.h"
 #include "service/queue/progress_json.h"
 
 namespace rouleau::service {
@@ -58,6 +59,10 @@ void Attempt::compute() {
         "begun " + std::to_string(most_setbacks) + " times and never came to a checkpoint");
   }
   const Case resolved = read_case(claimed_.text.resolved);
+  if (const auto result = finished_result(archive_, resolved)) {
+    place_.logs.note(job(), "had ended already");
+    return record(*result);
+  }
   try {
     const RunSummary summary = run_on(resolved);
     if (summary.ending == Ending::stopped) {
@@ -128,18 +133,19 @@ void Attempt::publish(const RunSummary& summary, const RunFailure* failure) {
     return;
   }
   const storage::ArchiveFile file = writer_->finish(summary);
-  const storage::JobResult result{dump(to_json(summary)), static_cast<std::int64_t>(file.size), file.sha256};
+  note_summary(place_.logs, job(), summary);
+  record({dump(to_json(summary)), static_cast<std::int64_t>(file.size), file.sha256}, failure);
+}
+
+void Attempt::record(const storage::JobResult& result, const RunFailure* failure) {
   has_archive_ = failure == nullptr
                      ? place_.store.succeed(job().id, job().attempt, result)
                      : place_.store.fail(job().id, job().attempt, dump(failure_of(*failure).error), result);
   if (has_archive_) {
     remove_unfinished(place_.archives, job().id);
-    note_summary(place_.logs, job(), summary);
     if (failure != nullptr) return note_failed(*failure);
-    log::info("job succeeded", {{"job", job().id},
-                                {"wall_time_s", std::to_string(summary.wall_time)},
-                                {"steps", std::to_string(summary.steps)}});
-    place_.logs.note_end(job(), "succeeded", {{"archive_bytes", std::to_string(file.size)}});
+    log::info("job succeeded", {{"job", job().id}});
+    place_.logs.note_end(job(), "succeeded", {{"archive_bytes", std::to_string(result.archive_size)}});
     return;
   }
   const auto now = place_.store.find(job().id);

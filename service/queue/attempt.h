@@ -54,6 +54,8 @@ class Attempt {
   void begin_anew(const std::string& why);
   /// @param failure  of a run that ended in one: what it came to is kept with it
   void publish(const RunSummary& summary, const RunFailure* failure = nullptr);
+  /// Ends the job with an archive that has its name.
+  void record(const storage::JobResult& result, const RunFailure* failure = nullptr);
   void end_stopped();
   void end_failed(const std::exception& error);
   void note_failed(const std::exception& error);

@@ -38,6 +38,8 @@ class AttemptAtAJob : public testing::Test {
     store_.emplace(folder_ / "data");
     logs_.emplace(folder_ / "logs");
     place_.emplace(*store_, live_, *logs_, machine_, archives_);
+    // However slow the machine is.
+    place_->checkpoint_interval = std::chrono::hours(1);
     id_ = submit(short_case);
   }
   void TearDown() override {
@@ -84,6 +86,29 @@ TEST_F(AttemptAtAJob, PublishesAnArchive) {
   EXPECT_EQ(storage::sha256_hex_of_file(archive_path(archives_, id_)), ended.archive_sha256);
   EXPECT_EQ(nlohmann::json::parse(*ended.summary)["ending"], "completed");
   EXPECT_TRUE(live_.running().empty());
+}
+
+TEST_F(AttemptAtAJob, TakesTheArchiveOfAnAttemptThatDiedJustBeforeItsEnd) {
+  begin().run();
+  const storage::Job first = job();
+  const std::string twin = submit(short_case);
+  std::filesystem::rename(archive_path(archives_, id_), archive_path(archives_, twin));
+  id_ = twin;
+  begin().run();
+  EXPECT_EQ(job().state, JobState::succeeded);
+  EXPECT_EQ(job().archive_sha256, first.archive_sha256) << "another run would have taken another time";
+  EXPECT_NE(log().find("had ended already"), std::string::npos) << log();
+}
+
+TEST_F(AttemptAtAJob, RunsIfTheArchiveInItsPlaceIsAnotherCases) {
+  begin().run();
+  const std::string other = submit(R"({"version": 1, "vessel": {"length": 20e-6, "diameter": 10e-6},
+                                       "numerics": {"preset": "draft"}, "duration": 1e-5})");
+  std::filesystem::rename(archive_path(archives_, id_), archive_path(archives_, other));
+  id_ = other;
+  begin().run();
+  EXPECT_EQ(job().state, JobState::succeeded);
+  EXPECT_EQ(log().find("had ended already"), std::string::npos) << log();
 }
 
 TEST_F(AttemptAtAJob, PublishesNothingOnceItsLeaseIsLost) {
