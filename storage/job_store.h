@@ -7,9 +7,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "storage/job.h"
 #include "storage/store_error.h"
+#include "storage/sweep.h"
 
 namespace rouleau::storage {
 
@@ -93,6 +95,21 @@ class JobStore {
   /// Forgets a job that has ended, or none if there is no such job. If it `expired`, its id is remembered.
   /// @throws InvalidTransition
   std::optional<Removed> remove(std::string_view id, Removal how = Removal::asked_for);
+
+  /// All jobs of a sweep or none of them, each as `submit` would have it; their places are given here.
+  /// @throws IdempotencyMismatch
+  SweepSubmission submit_sweep(const NewSweep& sweep, std::vector<NewJob> jobs,
+                               const std::optional<IdempotencyKey>& key = {});
+  std::optional<Sweep> find_sweep(std::string_view id);
+  /// Whether a job of it has not ended.
+  bool sweep_is_active(std::string_view id);
+  /// In the order of their index; those that were removed are not among them.
+  std::vector<SweepJob> sweep_jobs(std::string_view id, bool with_summaries);
+  /// @throws StoreError on a page token that no page gave
+  SweepPage list_sweeps(int page_size, const std::string& page_token);
+  /// Cancels what of it has not ended.
+  /// @return the jobs that run, whose runs are to be stopped
+  std::vector<std::string> request_cancel_sweep(std::string_view id);
 
   /// While paused nothing is claimed; this outlasts a restart.
   void pause_queue(bool paused);

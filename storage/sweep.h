@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/job.h"
+
+namespace rouleau::storage {
+
+/// What a client hands in as one: jobs that are all stored or none.
+struct NewSweep {
+  std::string name;
+  std::string labels = "{}";  ///< JSON object of strings
+  std::string lane;
+  int priority = 0;
+  std::string given;  ///< JSON: the body as it came, to which the jobs belong by their index
+};
+
+struct Sweep {
+  std::string id;  ///< UUIDv7; later sweeps have greater ids
+  std::string name;
+  std::string labels;
+  int priority = 0;
+  TimeMs created_at = 0;
+  std::string given;
+  std::map<JobState, std::int64_t> counts;  ///< of its jobs; one entry a state, zeros too
+};
+
+struct SweepSubmission {
+  Sweep sweep;
+  bool replayed = false;  ///< its key had been used for it before
+};
+
+/// A job as its sweep sees it.
+struct SweepJob {
+  std::string id;
+  int index = 0;
+  JobState state = JobState::queued;
+  std::string case_hash;
+  std::optional<std::string> summary;  ///< JSON, if it was asked for and there is one
+};
+
+struct SweepPage {
+  std::vector<Sweep> sweeps;                   ///< newest first
+  std::optional<std::string> next_page_token;  ///< none on the last page
+};
+
+}  // namespace rouleau::storage
