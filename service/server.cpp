@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdint>
 #include <fstream>
 #include <iostream>
@@ -57,6 +58,8 @@ Router make_routes(Service& service, const std::filesystem::path& web) {
   add_job_actions(router, service);
   add_events(router, service);
   add_log(router, service);
+  add_sweeps(router, service);
+  add_sweep(router, service);
   add_series(router, service);
   add_frames(router, service);
   add_probes(router, service);
@@ -105,6 +108,8 @@ void serve(const ServeOptions& options) {
   // Before any thread is made, so that all of them leave these signals to `wait_for_interrupt`.
   block_interrupts();
   raise_descriptor_limit();
+  // A limit on the size of files is to be told like a full disk, not to end the process.
+  std::signal(SIGXFSZ, SIG_IGN);
   ServerSettings settings;
   if (!options.token_file.empty())
     settings.access = std::make_shared<Access>(read_tokens(options.token_file));
@@ -119,7 +124,8 @@ void serve(const ServeOptions& options) {
   }
   KnownMachine machine(options.data);
   Queue queue(store, options.data, machine, checkpoint_interval(options.checkpoint_interval));
-  Service service{store, queue, draining, machine, QueueRoom(store, options.most_queued)};
+  Service service{
+      store, queue, draining, machine, QueueRoom(store, options.most_queued), options.most_points};
   service.streams.most = options.max_streams;
   service.streams.comment_interval = milliseconds(options.stream_heartbeat);
   // Streams take their threads from no one.

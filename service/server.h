@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -12,6 +13,7 @@ struct ServeOptions {
   std::filesystem::path data;
   int workers = 1;
   int most_queued = 100'000;         ///< jobs that may wait
+  std::size_t most_points = 10'000;  ///< of a sweep
   std::filesystem::path token_file;  ///< empty: no token is asked for
   std::filesystem::path port_file;   ///< empty: none is written
   std::filesystem::path web;         ///< empty: the page built with this program

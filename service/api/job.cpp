@@ -1,15 +1,16 @@
-#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "engine/case/case_json.h"
+#include "engine/plan/plan.h"
 #include "service/api/etag.h"
 #include "service/api/job_json.h"
 #include "service/api/query.h"
 #include "service/api/service.h"
-#include "service/http/duration.h"
+#include "service/api/waiting.h"
 #include "service/http/guarded_server.h"
 #include "service/http/problem.h"
 #include "service/queue/job_files.h"
@@ -17,35 +18,6 @@
 namespace rouleau::service {
 
 namespace {
-
-constexpr std::chrono::seconds longest_wait{60};
-// Each holds one of the server's threads; beyond that a client is answered at once and asks again.
-constexpr int most_waiting = 32;
-
-std::chrono::milliseconds read_wait(const Call& call) {
-  const auto text = query(call, "wait");
-  if (!text) return std::chrono::milliseconds(0);
-  const auto wait = parse_duration(*text);
-  if (!wait) {
-    throw Problem(problems::invalid_request, "a query parameter is not valid",
-                  {{"?wait", "must be a duration such as 20s or 500ms"}});
-  }
-  return std::min<std::chrono::milliseconds>(*wait, longest_wait);
-}
-
-/// Counts a request among those that wait.
-class Waiting {
- public:
-  explicit Waiting(std::atomic<int>& count) : count_(count), now_(++count) {}
-  ~Waiting() { --count_; }
-  Waiting(const Waiting&) = delete;
-  Waiting& operator=(const Waiting&) = delete;
-  bool too_many() const { return now_ > most_waiting; }
-
- private:
-  std::atomic<int>& count_;
-  const int now_;
-};
 
 /// The job once its state differs from what it was, or as it is when the time is up.
 storage::Job wait_for_change(Service& service, const Call& call, std::chrono::milliseconds wait) {
@@ -89,7 +61,13 @@ std::filesystem::path archive_of(const Service& service, const storage::Job& job
 nlohmann::json job_in_full(Service& service, const storage::Job& job) {
   nlohmann::json json = to_json(job, service.queue.live());
   json["plan"] = nlohmann::json::parse(job.plan);
-  if (const auto text = service.store.case_text(job.id)) json["case"] = nlohmann::json::parse(text->resolved);
+  const auto text = service.store.case_text(job.id);
+  if (!text) return json;
+  json["case"] = nlohmann::json::parse(text->resolved);
+  // Those of a sweep are planned when somebody looks.
+  if (json["plan"].is_null()) {
+    json["plan"] = to_json(make_plan(read_case(json["case"]), service.machine.get()));
+  }
   return json;
 }
 

@@ -48,7 +48,26 @@ void read_labels(const nlohmann::json& value, storage::NewJob& job, std::vector<
   job.labels = dump(value);
 }
 
+void read_fresh(const nlohmann::json& value, storage::NewJob& job, std::vector<Fault>& faults) {
+  if (value.is_boolean()) {
+    job.fresh = value.get<bool>();
+  } else {
+    faults.push_back({"/fresh", "must be true or false"});
+  }
+}
+
 }  // namespace
+
+storage::NewJob read_job_settings(const nlohmann::json& document, std::vector<Fault>& faults) {
+  storage::NewJob job;
+  if (!document.is_object()) return job;
+  if (const auto value = document.find("priority"); value != document.end()) {
+    read_priority(*value, job, faults);
+  }
+  if (const auto value = document.find("labels"); value != document.end()) read_labels(*value, job, faults);
+  if (const auto value = document.find("fresh"); value != document.end()) read_fresh(*value, job, faults);
+  return job;
+}
 
 std::string lane_of(const std::string& caller, const std::string& labels) {
   if (!caller.empty()) return caller;
@@ -60,19 +79,10 @@ storage::NewJob read_new_job(const Call& call, KnownMachine& machine) {
   if (!document.is_object())
     throw Problem(problems::invalid_request, "the body must be an object", {{"", "must be an object"}});
 
-  storage::NewJob job;
   std::vector<Fault> faults;
+  storage::NewJob job = read_job_settings(document, faults);
   for (const auto& [key, value] : document.items()) {
-    if (key == "priority") {
-      read_priority(value, job, faults);
-    } else if (key == "labels") {
-      read_labels(value, job, faults);
-    } else if (key == "fresh") {
-      if (!value.is_boolean())
-        faults.push_back({"/fresh", "must be true or false"});
-      else
-        job.fresh = value.get<bool>();
-    } else if (key != "case") {
+    if (key != "case" && key != "priority" && key != "labels" && key != "fresh") {
       faults.push_back({pointer_to("", key), "unknown key; allowed: case, priority, labels, fresh"});
     }
   }

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <filesystem>
 
 #include <nlohmann/json_fwd.hpp>
@@ -30,6 +31,7 @@ struct Service {
   std::atomic<bool>& draining;
   KnownMachine& machine;
   QueueRoom room;
+  std::size_t most_points = 10'000;  ///< of a sweep
   KeysInFlight keys{};
   std::atomic<int> waiting = 0;  ///< requests that wait for a change
   Streams streams{};
@@ -42,6 +44,8 @@ void add_job(Router& router, Service& service);          ///< /v1/jobs/{id}
 void add_job_actions(Router& router, Service& service);  ///< what can be done to it
 void add_events(Router& router, Service& service);       ///< /v1/jobs/{id}/events
 void add_log(Router& router, Service& service);          ///< /v1/jobs/{id}/log
+void add_sweeps(Router& router, Service& service);       ///< /v1/sweeps
+void add_sweep(Router& router, Service& service);        ///< /v1/sweeps/{id}, its table, and its cancellation
 void add_series(Router& router, Service& service);       ///< /v1/jobs/{id}/series
 void add_frames(Router& router, Service& service);       ///< /v1/jobs/{id}/frames
 void add_probes(Router& router, Service& service);       ///< /v1/jobs/{id}/probes

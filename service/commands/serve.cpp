@@ -32,6 +32,9 @@ void add_serve(CLI::App& app, Action& action) {
   command->add_option("--workers", options->workers, "Jobs run at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  command->add_option("--max-sweep", options->most_points, "The most points of a sweep")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
   command->add_option("--max-queued", options->most_queued, "Jobs that may wait; beyond them 503 queue-full")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
