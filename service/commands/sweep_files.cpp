@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 namespace rouleau::service {
 
 namespace {
@@ -21,12 +19,12 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace
 
-void write_sweep_files(const std::filesystem::path& folder, nlohmann::json about, const nlohmann::json& table,
-                       const std::string& csv) {
-  about["table"] = table;
+void write_sweep_files(const std::filesystem::path& folder, SweepFiles files) {
+  files.about["table"] = files.table;
   write_whole(folder / "sweep.json",
-              about.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
-  write_whole(folder / "table.csv", csv);
+              files.about.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+  write_whole(folder / "table.csv", files.csv);
+  if (!files.picture.empty()) write_whole(folder / "sweep.svg", files.picture);
 }
 
 }  // namespace rouleau::service

@@ -3,16 +3,20 @@
 #include <filesystem>
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
-#include "service/sweep/sweep_table.h"
+#include <nlohmann/json.hpp>
 
 namespace rouleau::service {
 
-/// Writes `table.csv`, and `sweep.json` with what `about` says of the sweep and the table, each aside and
-/// renamed once it is whole.
+/// What a sweep leaves beside its archives.
+struct SweepFiles {
+  nlohmann::json about;  ///< of the sweep; goes to `sweep.json` with the table
+  nlohmann::json table;
+  std::string csv;      ///< `table.csv`
+  std::string picture;  ///< `sweep.svg`; empty: none
+};
+
+/// Writes them, each aside and renamed once it is whole.
 /// @throws std::runtime_error
-void write_sweep_files(const std::filesystem::path& folder, nlohmann::json about, const nlohmann::json& table,
-                       const std::string& csv);
+void write_sweep_files(const std::filesystem::path& folder, SweepFiles files);
 
 }  // namespace rouleau::service

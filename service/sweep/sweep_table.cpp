@@ -96,6 +96,15 @@ json to_json(const SweepTable& table) {
   return body;
 }
 
+SweepTable read_table(const json& told) {
+  SweepTable table;
+  for (const json& name : told.at("columns")) {
+    table.columns.push_back({name.get<std::string>(), told.at("units").value(name.get<std::string>(), "")});
+  }
+  table.rows = told.at("rows").get<std::vector<std::vector<json>>>();
+  return table;
+}
+
 std::string to_csv(const SweepTable& table) {
   std::vector<json> header;
   for (const Column& column : table.columns) header.emplace_back(column.name);

@@ -32,6 +32,9 @@ SweepTable make_table(const std::vector<std::string>& pointers, const std::vecto
 /// `{ "columns": [...], "units": {...}, "rows": [[...], ...] }`
 nlohmann::json to_json(const SweepTable& table);
 
+/// What `to_json` told.
+SweepTable read_table(const nlohmann::json& told);
+
 /// One header line, then a line a row (RFC 4180); what is not known is empty.
 std::string to_csv(const SweepTable& table);
 

@@ -58,7 +58,7 @@ def test_started_again_it_runs_what_is_not_there(sweep, tmp_path):
     assert sweep({"case": plasma(), "axes": [velocities]}).returncode == 0
     before = archives(tmp_path / "out")
     more = {"pointer": "/inflow/velocity", "values": [0.0015, 0.002, 0.003, 0.001, 0.002]}
-    told = json.loads(sweep({"case": plasma(), "axes": [more]}, "--json").stdout)
+    told = json.loads(sweep({"case": plasma(name="another name"), "axes": [more]}, "--json").stdout)
     after = archives(tmp_path / "out")
     assert (told["succeeded"], told["reused"]) == (5, 4)
     assert len(after) == 4 and before.items() <= after.items()

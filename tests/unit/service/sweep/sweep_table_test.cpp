@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "service/sweep/sweep_picture.h"
+
 namespace rouleau::service {
 namespace {
 
@@ -32,6 +34,7 @@ TEST(SweepTable, HasARowAPointWithWhatItCameTo) {
   const json body = to_json(table);
   EXPECT_EQ(body["units"]["cell0.residence_time"], "s");
   EXPECT_FALSE(body["units"].contains("/duration"));
+  EXPECT_EQ(to_json(read_table(body)), body);
 }
 
 TEST(SweepTable, CsvQuotesWhatNeedsIt) {
@@ -40,6 +43,30 @@ TEST(SweepTable, CsvQuotesWhatNeedsIt) {
   EXPECT_EQ(to_csv(table),
             "index,job,case_hash,/name,/waveform,state,wall_time,peak_fluid_speed\n"
             "0,id,ab,\"a,\"\"b\"\"\n\",\"[1,2]\",queued,,\n");
+}
+
+std::vector<SweepRow> rows_of(const std::vector<std::vector<json>>& values) {
+  std::vector<SweepRow> rows;
+  for (const auto& point : values) rows.push_back({rows.size(), "", "ab", point, "succeeded", summary});
+  return rows;
+}
+
+TEST(SweepPicture, HasALineForEachValueOfTheSecondAxis) {
+  const auto table = make_table({"/a<b", "/c"}, rows_of({{1, 5}, {1, 6}, {2, 5}, {2, 6}, {3, "x"}}));
+  const std::string svg = draw_sweep(table, 2);
+  EXPECT_THAT(svg, ::testing::StartsWith("<svg "));
+  EXPECT_THAT(svg, ::testing::HasSubstr("/a&lt;b"));
+  EXPECT_THAT(svg, ::testing::HasSubstr("/c = 6"));
+  EXPECT_THAT(svg, ::testing::Not(::testing::HasSubstr("nan")));
+}
+
+TEST(SweepPicture, IsNotDrawnWhereItWouldShowNothing) {
+  EXPECT_EQ(draw_sweep(make_table({"/a"}, rows_of({{1}})), 1), "");
+  EXPECT_EQ(draw_sweep(make_table({"/a"}, rows_of({{"x"}, {"y"}})), 1), "");
+  EXPECT_EQ(draw_sweep(make_table({"/a", "/b", "/c"}, rows_of({{1, 2, 3}, {2, 2, 3}})), 3), "");
+  EXPECT_EQ(
+      draw_sweep(make_table({"/a"}, {{0, "", "ab", {1}, "failed", {}}, {1, "", "ab", {2}, "failed", {}}}), 1),
+      "");
 }
 
 }  // namespace
