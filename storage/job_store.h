@@ -108,8 +108,7 @@ class JobStore {
   /// @throws StoreError on a page token that no page gave
   SweepPage list_sweeps(int page_size, const std::string& page_token);
   /// Cancels what of it has not ended.
-  /// @return the jobs that run, whose runs are to be stopped
-  std::vector<std::string> request_cancel_sweep(std::string_view id);
+  CancelledJobs request_cancel_sweep(std::string_view id);
 
   /// While paused nothing is claimed; this outlasts a restart.
   void pause_queue(bool paused);

@@ -43,6 +43,12 @@ struct SweepJob {
   std::optional<std::string> summary;  ///< JSON, if it was asked for and there is one
 };
 
+/// What is left to do for jobs that were cancelled together; others never began.
+struct CancelledJobs {
+  std::vector<std::string> running;       ///< their runs are to be stopped
+  std::vector<std::string> had_progress;  ///< waited with a checkpoint
+};
+
 struct SweepPage {
   std::vector<Sweep> sweeps;                   ///< newest first
   std::optional<std::string> next_page_token;  ///< none on the last page

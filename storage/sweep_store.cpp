@@ -59,13 +59,18 @@ void insert_sweep(Connection& database, const std::string& id, const NewSweep& s
   insert.exec();
 }
 
-std::vector<std::string> ids_in(Connection& database, std::string_view sweep, const char* state) {
-  Prepared select(database, "SELECT id FROM jobs WHERE sweep = ? AND state = ?");
+/// Those that run, and those that wait with something computed before.
+CancelledJobs begun_jobs(Connection& database, std::string_view sweep) {
+  Prepared select(database,
+                  "SELECT id, state = 'running' FROM jobs WHERE sweep = ? AND attempt > 0 AND "
+                  "state IN ('queued', 'running', 'paused')");
   select.bind(1, std::string(sweep));
-  select.bind(2, state);
-  std::vector<std::string> ids;
-  while (select.executeStep()) ids.push_back(select.getColumn(0).getString());
-  return ids;
+  CancelledJobs jobs;
+  while (select.executeStep()) {
+    (select.getColumn(1).getInt() != 0 ? jobs.running : jobs.had_progress)
+        .push_back(select.getColumn(0).getString());
+  }
+  return jobs;
 }
 
 }  // namespace
@@ -146,9 +151,9 @@ SweepPage JobStore::list_sweeps(int page_size, const std::string& page_token) {
   });
 }
 
-std::vector<std::string> JobStore::request_cancel_sweep(std::string_view id) {
+CancelledJobs JobStore::request_cancel_sweep(std::string_view id) {
   return parts_->writer.run([&](Connection& db) {
-    const std::vector<std::string> running = ids_in(db, id, "running");
+    const CancelledJobs jobs = begun_jobs(db, id);
     Prepared update(db,
                     "UPDATE jobs SET ended_at = iif(state = 'running', NULL, :now), pause_requested = 0, "
                     "not_before = NULL, follows = NULL, "
@@ -157,8 +162,8 @@ std::vector<std::string> JobStore::request_cancel_sweep(std::string_view id) {
     update.bind(":id", std::string(id));
     update.bind(":now", parts_->clock());
     update.exec();
-    for (const std::string& leader : running) release_followers(db, leader);
-    return running;
+    for (const std::string& leader : jobs.running) release_followers(db, leader);
+    return jobs;
   });
 }
 

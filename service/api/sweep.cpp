@@ -65,8 +65,9 @@ void get(Service& service, const Call& call, httplib::Response& response) {
 void cancel(Service& service, const Call& call, httplib::Response& response) {
   check_query(call, {});
   const std::string id = find(service, call).id;
-  const auto running = service.store.request_cancel_sweep(id);
-  for (const std::string& job : running) service.queue.cancel(job);
+  const storage::CancelledJobs jobs = service.store.request_cancel_sweep(id);
+  for (const std::string& job : jobs.running) service.queue.stop(job, StopReason::cancelled);
+  for (const std::string& job : jobs.had_progress) service.queue.drop_progress(job);
   service.queue.wake();
   log::info("cancellation asked for", {{"request", call.request_id}, {"sweep", id}});
   const nlohmann::json body = to_json(find(service, call));

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "service/api/job_json.h"
 #include "service/sweep/sweep_points.h"
+#include "service/time_text.h"
 
 namespace rouleau::service {
 

@@ -5,6 +5,7 @@ import pathlib
 import re
 import select
 import socket
+import sqlite3
 import subprocess
 import threading
 import time
@@ -224,6 +225,29 @@ def _(world, folder):
                 if one.fileno() in ready and (reply := one.recv(65536)):
                     return RawAnswer(reply)
     raise AssertionError("none was refused")
+
+
+@provoke("too-many-streams")
+def _(world, folder):
+    with another_server(folder, "--max-streams", "1") as server:
+        job_id = server.submit(endless())
+        with socket.create_connection(("127.0.0.1", server.port), timeout=30) as stream:
+            stream.sendall(f"GET /v1/jobs/{job_id}/events HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())
+            stream.recv(1)
+            return server.get(f"/v1/jobs/{job_id}/events")
+
+
+@provoke("expired")
+def _(world, folder):
+    """What is removed by age leaves its id behind."""
+    with another_server(folder) as server:
+        server.terminate()
+        store = sqlite3.connect(server.data / "jobs.sqlite")
+        store.execute("INSERT INTO removed_jobs VALUES (?, 0)", (nowhere,))
+        store.commit()
+        store.close()
+        server.start()
+        return server.get(f"/v1/jobs/{nowhere}")
 
 
 @provoke("unavailable")

@@ -97,14 +97,18 @@ TEST(SweepStore, CancellingEndsWhatWaitsAndNamesWhatRuns) {
   store.request_pause(store.sweep_jobs(id, false)[3].id);
 
   EXPECT_TRUE(store.sweep_is_active(id));
-  EXPECT_THAT(store.request_cancel_sweep(id), ElementsAre(running.id));
+  const Job released = store.claim("me", lease)->job;
+  store.release(released.id, released.attempt);
+  const CancelledJobs cancelled = store.request_cancel_sweep(id);
+  EXPECT_THAT(cancelled.running, ElementsAre(running.id));
+  EXPECT_THAT(cancelled.had_progress, ElementsAre(released.id));
   auto counts = store.find_sweep(id)->counts;
   EXPECT_EQ(counts[JobState::succeeded], 1);
   EXPECT_EQ(counts[JobState::cancelling], 1);
   EXPECT_EQ(counts[JobState::cancelled], 2);
   store.mark_cancelled(running.id, running.attempt);
   EXPECT_FALSE(store.sweep_is_active(id));
-  EXPECT_TRUE(store.request_cancel_sweep(id).empty());
+  EXPECT_TRUE(store.request_cancel_sweep(id).running.empty());
 }
 
 TEST(SweepStore, ListsTheNewestFirstInPages) {
