@@ -1,6 +1,8 @@
 """How each problem of the catalogue comes about."""
 
 import contextlib
+import json
+import os
 import pathlib
 import re
 import select
@@ -70,16 +72,42 @@ def _(world, folder):
     return world.get(f"/v1/jobs/{world.succeeded}/series?columns=none")
 
 
-def with_tokens(folder, text):
-    (folder / "tokens").write_text(text)
-    (folder / "tokens").chmod(0o600)
-    return another_server(folder, "--token-file", str(folder / "tokens"))
+@contextlib.contextmanager
+def with_a_token(folder, scopes):
+    """A server that asks for tokens, and the one that it takes."""
+    made = subprocess.run([os.environ["ROULEAU_BINARY"], "token", "test", "--scopes", scopes, "--json"], capture_output=True, text=True)
+    plain = "a-token-of-this-test"
+    token = json.loads(made.stdout) if made.returncode == 0 else {"token": plain, "line": plain}
+    (folder / "tokens").write_text(token["line"] + "\n")
+    with another_server(folder, "--token-file", str(folder / "tokens")) as server:
+        yield server, token["token"]
 
 
 @provoke("unauthorized")
 def _(world, folder):
-    with with_tokens(folder, "a-token-of-this-test\n") as server:
+    with with_a_token(folder, "read") as (server, _):
         return server.get("/v1/jobs")
+
+
+@provoke("forbidden")
+def _(world, folder):
+    with with_a_token(folder, "read") as (server, token):
+        return server.request("POST", "/v1/jobs", {"case": plasma()}, {"Authorization": f"Bearer {token}"})
+
+
+@provoke("too-many-requests")
+def _(world, folder):
+    with another_server(folder, "--rate-limit", "0.1", "--rate-burst", "1") as server:
+        answer = server.get("/v1/jobs")
+        while answer.status == 200:
+            answer = server.get("/v1/jobs")
+        return answer
+
+
+@provoke("no-space")
+def _(world, folder):
+    with another_server(folder, "--min-free", "1000000GB") as server:
+        return server.request("POST", "/v1/sweeps", {"case": plasma(), "axes": [{"pointer": "/duration", "values": [1e-4]}]})
 
 
 @provoke("cross-origin")

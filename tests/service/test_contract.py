@@ -34,7 +34,7 @@ def description(server):
 
 def test_every_operation_is_known_here(description):
     assert sorted(description.operations()) == described
-    assert set(described) <= set(calls)
+    assert set(described) == set(calls)
 
 
 @pytest.mark.parametrize("name", described)
@@ -67,7 +67,7 @@ def test_the_cases_that_are_taken_are_those_of_the_schema(server, world):
 
 
 def test_every_problem_is_known_here():
-    assert set(catalogue()) == set(provocations) | beyond_a_test
+    assert set(catalogue()) <= set(provocations) | beyond_a_test
 
 
 @pytest.mark.parametrize("name", sorted(catalogue()))
