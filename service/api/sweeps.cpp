@@ -27,7 +27,8 @@ std::vector<storage::NewJob> jobs_of(const SweepBody& body, const storage::NewJo
   jobs.reserve(body.points);
   for (SweepPoint& point : expand(body)) {
     storage::NewJob& job = jobs.emplace_back(settings);
-    job.name = point.resolved.name + " #" + std::to_string(jobs.size() - 1);
+    const std::string& name = point.resolved.name;
+    job.name = name + (name.empty() ? "#" : " #") + std::to_string(jobs.size() - 1);
     job.case_hash = case_hash(point.resolved);
     job.case_given = std::move(point.given);
     job.case_resolved = dump(to_json(point.resolved));

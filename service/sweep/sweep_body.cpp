@@ -145,6 +145,17 @@ void read_name_and_mode(const nlohmann::json& document, SweepBody& sweep, std::v
   }
 }
 
+/// Bytes of a case with the longest value on each axis, at most.
+std::size_t longest_point(const SweepBody& sweep) {
+  std::size_t bytes = dump(sweep.scene).size();
+  for (const Axis& axis : sweep.axes) {
+    std::size_t longest = 0;
+    for (const nlohmann::json& value : axis.values) longest = std::max(longest, dump(value).size());
+    bytes += longest;
+  }
+  return bytes;
+}
+
 }  // namespace
 
 SweepBody read_sweep(const nlohmann::json& document, std::size_t most_points,
@@ -174,7 +185,7 @@ SweepBody read_sweep(const nlohmann::json& document, std::size_t most_points,
     throw Problem(problems::sweep_too_large,
                   "the axes span more than " + std::to_string(most_points) + " points");
   }
-  if (*points * dump(sweep.scene).size() > most_bytes) {
+  if (*points > most_bytes / longest_point(sweep)) {
     throw Problem(problems::sweep_too_large, "the case is too long for " + std::to_string(*points) +
                                                  " points: together they have more than " +
                                                  std::to_string(most_bytes >> 20) + " MiB");

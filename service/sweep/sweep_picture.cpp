@@ -73,13 +73,15 @@ std::string draw_ticks(const Range& x, const Range& y) {
   for (double v = x.from; v <= x.to + x_step / 2; v += x_step) {
     const double at = x.at(v, left, width - right);
     svg += fmt::format(
-        "<path d=\"M{0:.1f},{1}v5\"/><text x=\"{0:.1f}\" y=\"{2}\" text-anchor=\"middle\">{3:.4g}</text>\n",
+        "<path stroke=\"#444\" d=\"M{0:.1f},{1}v5\"/><text x=\"{0:.1f}\" y=\"{2}\" "
+        "text-anchor=\"middle\">{3:.4g}</text>\n",
         at, height - bottom, height - bottom + 18, std::abs(v) < x_step / 2 ? 0 : v);
   }
   for (double v = y.from; v <= y.to + y_step / 2; v += y_step) {
     const double at = y.at(v, height - bottom, top);
     svg += fmt::format(
-        "<path d=\"M{0},{1:.1f}h-5\"/><text x=\"{2}\" y=\"{3:.1f}\" text-anchor=\"end\">{4:.4g}</text>\n",
+        "<path stroke=\"#444\" d=\"M{0},{1:.1f}h-5\"/><text x=\"{2}\" y=\"{3:.1f}\" "
+        "text-anchor=\"end\">{4:.4g}</text>\n",
         left, at, left - 9, at + 4, std::abs(v) < y_step / 2 ? 0 : v);
   }
   return svg;
@@ -113,7 +115,7 @@ std::string draw_panel(const std::map<std::string, Points>& lines, const std::st
   return fmt::format(
              "<g transform=\"translate({0},0)\"><text x=\"{1}\" y=\"20\" font-weight=\"bold\">{2}</text>\n"
              "<g stroke=\"#444\" stroke-width=\"0.8\"><path d=\"M{1},{3}V{4}H{5}\" fill=\"none\"/></g>\n"
-             "<text x=\"{6}\" y=\"{7}\" text-anchor=\"middle\">{8}</text>\n<g stroke-width=\"0\" "
+             "<text x=\"{6}\" y=\"{7}\" text-anchor=\"middle\">{8}</text>\n<g stroke=\"none\" "
              "fill=\"#222\">",
              offset, left, escaped(title), top, height - bottom, width - right, (left + width - right) / 2,
              height - 8, escaped(x_label)) +

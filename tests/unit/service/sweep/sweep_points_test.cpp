@@ -158,6 +158,10 @@ TEST(SweepBody, MoreThanTheMostPointsIsTooLarge) {
                 .kind()
                 .name,
             "sweep-too-large");
+  json long_values = hundred;
+  long_values.erase("from"), long_values.erase("to"), long_values.erase("count");
+  long_values["values"] = std::vector<json>(100, std::string(10'000, 'x'));
+  EXPECT_EQ(problem_of([&] { sweep_of({long_values, other}); }).kind().name, "sweep-too-large");
 }
 
 }  // namespace
