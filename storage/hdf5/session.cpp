@@ -40,6 +40,9 @@ ArchiveError::Kind kind_of(int code) {
 }  // namespace
 
 Session::Session() : lock_(library_mutex()) {
+  // Every file is closed by whoever opened it. What the library would do at the end of the program besides is
+  // to close once more what it could not on a full disk, and to crash at that.
+  [[maybe_unused]] static const herr_t closes_nothing_at_exit = H5dont_atexit();
   // Per thread in the library: it must not print to the standard error of the program.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
