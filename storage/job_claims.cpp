@@ -16,10 +16,16 @@ bool queue_is_paused(Connection& database) {
   return Prepared(database, "SELECT 1 FROM settings WHERE name = 'queue' AND value = 'paused'").executeStep();
 }
 
+// No gap before another attempt is longer; a time beyond it was set before the clock stepped back.
+constexpr TimeMs longest_delay = 600'000;
+
 /// Jobs whose time has come wait like all others.
 void end_delays(Connection& database, TimeMs now) {
-  Prepared update(database, "UPDATE jobs SET not_before = NULL WHERE not_before <= ?");
-  update.bind(1, now);
+  Prepared update(database,
+                  "UPDATE jobs SET not_before = NULL "
+                  "WHERE not_before IS NOT NULL AND (not_before <= :now OR not_before > :latest)");
+  update.bind(":now", now);
+  update.bind(":latest", now + longest_delay);
   update.exec();
 }
 

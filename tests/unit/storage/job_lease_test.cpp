@@ -148,6 +148,19 @@ TEST_F(JobLease, ReleasedJobsWaitUntilTheirTime) {
   EXPECT_FALSE(store.find(job.id)->not_before);
 }
 
+TEST_F(JobLease, ReleasedJobsDoNotWaitForAClockThatSteppedBack) {
+  submitted();
+  const Job job = claimed();
+  EXPECT_TRUE(store.release(job.id, 1, time.now + 5000));
+  time.now -= 24 * 3'600'000;
+  EXPECT_EQ(claimed().attempt, 2);
+  EXPECT_EQ(store.renew(job.id, 2, seconds(10)), Lease::held);
+  EXPECT_EQ(store.expire_leases(), 0);
+  const Job later = submitted();
+  EXPECT_GT(later.id, job.id);
+  EXPECT_LT(later.created_at, job.created_at);
+}
+
 TEST_F(JobLease, CancellingAWaitingJobEndsIt) {
   const Job job = submitted();
   EXPECT_EQ(store.request_cancel(job.id)->state, JobState::cancelled);
