@@ -38,9 +38,9 @@ storage::Job wait_for_change(Service& service, const Call& call, std::chrono::mi
 void get(Service& service, const Call& call, httplib::Response& response) {
   check_query(call, {"wait"});
   const storage::Job job = wait_for_change(service, call, read_wait(call));
-  const nlohmann::json body = job_in_full(service, job);
+  std::string body = job_in_full(service, job);
   if (!storage::has_ended(job.state)) response.set_header("Retry-After", "1");
-  if (!answer_not_modified(call, weak_etag(dump(body)), response)) answer_json(body, response);
+  if (!answer_not_modified(call, weak_etag(body), response)) answer_json_text(std::move(body), response);
 }
 
 }  // namespace
@@ -55,20 +55,21 @@ storage::Job find_finished(Service& service, const Call& call) {
 }
 
 std::filesystem::path archive_of(const Service& service, const storage::Job& job) {
+  service.archive_use.begin(job.archive_id.value());  // for the grace that begins now
   return archive_path(service.queue.archives(), job.archive_id.value());
 }
 
-nlohmann::json job_in_full(Service& service, const storage::Job& job) {
-  nlohmann::json json = to_json(job, service.queue.live());
-  json["plan"] = nlohmann::json::parse(job.plan);
+std::string job_in_full(Service& service, const storage::Job& job) {
+  std::string json = dump(to_json(job, service.queue.live()));
+  json.pop_back();
+  // Stored as JSON, and long: to read them only to write them again takes most of an answer's time.
   const auto text = service.store.case_text(job.id);
-  if (!text) return json;
-  json["case"] = nlohmann::json::parse(text->resolved);
+  if (text) json += ",\"case\":" + text->resolved;
+  json += ",\"plan\":";
   // Those of a sweep are planned when somebody looks.
-  if (json["plan"].is_null()) {
-    json["plan"] = to_json(make_plan(read_case(json["case"]), service.machine.get()));
-  }
-  return json;
+  const bool planned = job.plan != "null" || !text;
+  json += planned ? job.plan : dump(to_json(make_plan(read_case(text->resolved), service.machine.get())));
+  return json + '}';
 }
 
 void add_job(Router& router, Service& service) {

@@ -64,7 +64,7 @@ void perform(Service& service, const Call& call, httplib::Response& response, co
     const std::string event = std::string("asked to be ") + action.verb;
     log::info(event, {{"request", call.request_id}, {"job", job->id}});
     service.queue.logs().note(*job, event, {{"request", call.request_id}});
-    answer_json(job_in_full(service, *job), response, action.is_settled(*job) ? 200 : 202);
+    answer_json_text(job_in_full(service, *job), response, action.is_settled(*job) ? 200 : 202);
   } catch (const storage::InvalidTransition& error) {
     throw not_possible(action.verb, error.state());
   }

@@ -64,7 +64,7 @@ void submit(Service& service, const Call& call, httplib::Response& response) {
   }
   response.set_header("Location", "/v1/jobs/" + job.id);
   response.set_header("Retry-After", "1");
-  answer_json(job_in_full(service, job), response, 202);
+  answer_json_text(job_in_full(service, job), response, 202);
 }
 
 storage::JobQuery read_list_query(const Call& call) {

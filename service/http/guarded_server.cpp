@@ -36,8 +36,13 @@ bool expects_continue(const RequestHead& head) {
 }  // namespace
 
 void answer_json(const nlohmann::json& value, httplib::Response& response, int status) {
+  answer_json_text(dump(value), response, status);
+}
+
+void answer_json_text(std::string text, httplib::Response& response, int status) {
   response.status = status;
-  response.set_content(dump(value), "application/json");
+  response.body = std::move(text);
+  response.set_header("Content-Type", "application/json");
 }
 
 void answer(const Problem& problem, const std::string& request_id, httplib::Response& response) {

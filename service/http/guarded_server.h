@@ -65,5 +65,7 @@ void answer(const Problem& problem, const std::string& request_id, httplib::Resp
 
 /// Writes JSON as the answer.
 void answer_json(const nlohmann::json& value, httplib::Response& response, int status = 200);
+/// The same of what is JSON already.
+void answer_json_text(std::string text, httplib::Response& response, int status = 200);
 
 }  // namespace rouleau::service
