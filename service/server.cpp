@@ -124,8 +124,18 @@ void serve(const ServeOptions& options) {
   }
   KnownMachine machine(options.data);
   Queue queue(store, options.data, machine, checkpoint_interval(options.checkpoint_interval));
-  Service service{
-      store, queue, draining, machine, QueueRoom(store, options.most_queued), options.most_points};
+  ArchiveUse archive_use;
+  Retention retention(store, archive_use, options.data, options.retention,
+                      [&](const std::string& id, const std::optional<std::string>& archive_id) {
+                        queue.forget(id, archive_id);
+                      });
+  Service service{store,
+                  queue,
+                  draining,
+                  machine,
+                  QueueRoom(store, options.most_queued, [&] { retention.check_room(); }),
+                  options.most_points};
+  service.archive_use = archive_use;
   service.streams.most = options.max_streams;
   service.streams.comment_interval = milliseconds(options.stream_heartbeat);
   // Streams take their threads from no one.
@@ -134,6 +144,7 @@ void serve(const ServeOptions& options) {
 
   // Only now that the addresses are ours is a job touched.
   queue.start(options.workers);
+  retention.start();
   if (health) health->start();
   api.start();
   const std::string url = "http://" + options.host + ":" + std::to_string(api.port());

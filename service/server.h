@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "service/retention.h"
+
 namespace rouleau::service {
 
 struct ServeOptions {
@@ -18,6 +20,7 @@ struct ServeOptions {
   std::filesystem::path port_file;   ///< empty: none is written
   std::filesystem::path web;         ///< empty: the page built with this program
   double checkpoint_interval = 60;   ///< s; 0: only when a run is stopped
+  RetentionRules retention;
   int max_streams = 64;
   double stream_heartbeat = 15;  ///< s
   bool json = false;

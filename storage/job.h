@@ -136,4 +136,11 @@ struct Removed {
   std::optional<std::string> archive_id;  ///< the archive that no job has any more
 };
 
+/// A job that may be removed.
+struct EndedJob {
+  std::string id;
+  TimeMs ended_at = 0;
+  std::optional<std::string> archive_id;
+};
+
 }  // namespace rouleau::storage

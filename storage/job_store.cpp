@@ -2,6 +2,7 @@
 
 #include "storage/job_rows.h"
 #include "storage/job_store_parts.h"
+#include "storage/sqlite/connection.h"
 #include "storage/sqlite/database.h"
 #include "storage/sqlite/migrations.h"
 

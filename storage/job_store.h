@@ -110,6 +110,12 @@ class JobStore {
   /// Cancels what of it has not ended.
   CancelledJobs request_cancel_sweep(std::string_view id);
 
+  /// In the order in which they ended, but for those of a sweep that has not.
+  /// @param after  only those behind this one
+  std::vector<EndedJob> oldest_ended(int limit, const std::optional<EndedJob>& after = {});
+  /// What all archives take; one that several jobs share counts once.
+  std::int64_t archive_bytes();
+
   /// While paused nothing is claimed; this outlasts a restart.
   void pause_queue(bool paused);
 

@@ -43,14 +43,15 @@ void get_archive(Service& service, const Call& call, httplib::Response& response
   }
   response.set_header("Content-Disposition", "attachment; filename=\"" + job.id + ".h5\"");
   const std::string type = "application/x-hdf5";
+  const auto reading = service.archive_use.begin(job.archive_id.value());
   if (range.kind == ByteRange::Kind::part) {
     response.status = 206;
     response.set_header("Content-Range", "bytes " + std::to_string(range.first) + '-' +
                                              std::to_string(range.last) + '/' + total);
-    answer_file(file, range.first, range.length(), type, response);
+    answer_file(file, range.first, range.length(), type, response, reading);
   } else {
     response.status = 200;
-    answer_file(file, 0, size, type, response);
+    answer_file(file, 0, size, type, response, reading);
   }
 }
 

@@ -33,10 +33,13 @@ class OpenFile {
 }  // namespace
 
 void answer_file(const std::filesystem::path& file, std::uint64_t first, std::uint64_t length,
-                 const std::string& content_type, httplib::Response& response) {
+                 const std::string& content_type, httplib::Response& response,
+                 std::shared_ptr<const void> while_sent) {
   const auto open = std::make_shared<OpenFile>(file);
   response.set_content_provider(
-      length, content_type, [open, first](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
+      length, content_type,
+      [open, first, while_sent = std::move(while_sent)](std::size_t offset, std::size_t left,
+                                                        httplib::DataSink& sink) {
         std::array<char, 65536> buffer;
         const ssize_t count = open->read(buffer.data(), std::min(left, buffer.size()), first + offset);
         return count > 0 && sink.write(buffer.data(), static_cast<std::size_t>(count));

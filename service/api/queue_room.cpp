@@ -7,6 +7,7 @@
 namespace rouleau::service {
 
 void QueueRoom::enter(std::int64_t jobs) {
+  check_space_();
   constexpr std::chrono::milliseconds old{250};
   const std::lock_guard lock(mutex_);
   if (const auto now = Clock::now(); now - counted_ > old) {

@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <mutex>
+#include <utility>
 
 #include "storage/job_store.h"
 
@@ -12,10 +14,13 @@ namespace rouleau::service {
 /// it let in.
 class QueueRoom {
  public:
-  QueueRoom(storage::JobStore& store, std::int64_t most) : store_(store), most_(most) {}
+  /// @param check_space  throws where there is no room for results
+  QueueRoom(
+      storage::JobStore& store, std::int64_t most, std::function<void()> check_space = [] {})
+      : store_(store), most_(most), check_space_(std::move(check_space)) {}
 
   /// @param jobs about to be submitted together
-  /// @throws Problem 503 queue-full
+  /// @throws Problem 503 queue-full, no-space
   void enter(std::int64_t jobs);
 
  private:
@@ -23,6 +28,7 @@ class QueueRoom {
 
   storage::JobStore& store_;
   const std::int64_t most_;
+  const std::function<void()> check_space_;
   std::mutex mutex_;
   std::int64_t waiting_ = 0;
   Clock::time_point counted_{};

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
-
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "service/api/idempotency.h"
 #include "service/api/queue_room.h"
+#include "service/archive_use.h"
 #include "service/http/router.h"
 #include "service/known_machine.h"
 #include "service/queue/queue.h"
@@ -35,6 +35,7 @@ struct Service {
   KeysInFlight keys{};
   std::atomic<int> waiting = 0;  ///< requests that wait for a change
   Streams streams{};
+  ArchiveUse archive_use{};
 };
 
 // One file a resource; each adds its routes.
@@ -66,7 +67,7 @@ storage::Job find_finished(Service& service, const Call& call);
 /// The archive of a job that has one.
 std::filesystem::path archive_of(const Service& service, const storage::Job& job);
 
-/// A job with its plan and its resolved case.
-nlohmann::json job_in_full(Service& service, const storage::Job& job);
+/// A job with its plan and its resolved case, as JSON.
+std::string job_in_full(Service& service, const storage::Job& job);
 
 }  // namespace rouleau::service

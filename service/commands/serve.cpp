@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <chrono>
+#include <cstdint>
 #include <memory>
 #include <thread>
 
@@ -9,6 +11,35 @@
 #include "service/server.h"
 
 namespace rouleau::service {
+
+namespace {
+
+void add_retention(CLI::App& command, ServeOptions& options) {
+  RetentionRules& rules = options.retention;
+  command
+      .add_option_function<double>(
+          "--keep-days",
+          [&rules](double days) { rules.keep = std::chrono::duration<double>(days * 24 * 3600); },
+          "Remove jobs that ended so many days ago (default: keep them)")
+      ->check(CLI::Range(0.0, 1e5));
+  command
+      .add_option_function<std::uint64_t>(
+          "--max-archive-space", [&rules](std::uint64_t bytes) { rules.most_archive_bytes = bytes; },
+          "Remove ended jobs, oldest first, when archives take more, such as 500GB")
+      ->transform(CLI::AsSizeValue(true));
+  command
+      .add_option("--min-free", rules.least_free_bytes,
+                  "The same, and refuse new jobs, when the disk has less left, such as 5GB")
+      ->transform(CLI::AsSizeValue(true));
+  command
+      .add_option_function<double>(
+          "--retention-interval",
+          [&rules](double seconds) { rules.interval = std::chrono::duration<double>(seconds); },
+          "s between looks at what is to be removed (default: 60)")
+      ->check(CLI::Range(0.1, 86400.0));
+}
+
+}  // namespace
 
 void add_serve(CLI::App& app, Action& action) {
   auto* const command = app.add_subcommand("serve", "Run the service: HTTP API, queue, workers and web page");
@@ -52,6 +83,7 @@ void add_serve(CLI::App& app, Action& action) {
                    "Seconds without an event after which a stream sends a comment")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
+  add_retention(*command, *options);
   command->add_option("--token-file", options->token_file, "Tokens that may call, one a line");
   command->add_option("--port-file", options->port_file, "Write the port here once it answers");
   command->add_option("--web", options->web,

@@ -88,6 +88,10 @@ const ProblemKind too_many_streams{
     "too-many-streams", 503, "Too many event streams",
     "As many event streams are open as the server allows (`--max-streams`). Close one, try again after "
     "`Retry-After` seconds, or ask for the job itself with `?wait=20s`."};
+const ProblemKind no_space{
+    "no-space", 503, "No room for results",
+    "The disk or the room for archives is full, and nothing may be removed. Fetch and delete "
+    "what has ended, or try again later."};
 const ProblemKind unavailable{"unavailable", 503, "Nothing can be stored now",
                               "The disk is full or refuses; the job was not accepted. Try again later."};
 
@@ -123,6 +127,7 @@ const std::vector<const ProblemKind*>& problem_kinds() {
                                                      &too_many_connections,
                                                      &queue_full,
                                                      &too_many_streams,
+                                                     &no_space,
                                                      &unavailable};
   return kinds;
 }

@@ -49,6 +49,7 @@ extern const ProblemKind draining;
 extern const ProblemKind too_many_connections;
 extern const ProblemKind too_many_streams;
 extern const ProblemKind queue_full;
+extern const ProblemKind no_space;
 extern const ProblemKind unavailable;
 }  // namespace problems
 

@@ -42,6 +42,8 @@ class Prepared {
   /// @return how many rows it changed
   int exec() { return statement_->exec(); }
   bool executeStep() { return statement_->executeStep(); }
+  /// To be run again, perhaps with other values.
+  void reset() { statement_->reset(); }
   SQLite::Column getColumn(int index) const { return statement_->getColumn(index); }
 
   SQLite::Statement& statement() { return *statement_; }
