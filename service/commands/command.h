@@ -45,6 +45,9 @@ void add_logs(CLI::App& app, Action& action);
 void add_job_actions(CLI::App& app, Action& action);  ///< cancel, pause, resume, retry
 void add_delete(CLI::App& app, Action& action);
 void add_queue(CLI::App& app, Action& action);
+void add_doctor(CLI::App& app, Action& action);
+void add_backup(CLI::App& app, Action& action);
+void add_restore(CLI::App& app, Action& action);
 
 /// Parses and runs; every error ends up on standard error as one block.
 /// @return the exit code
