@@ -35,7 +35,7 @@ def test_help():
 
 
 @pytest.mark.parametrize("arguments", [[], ["everything"], ["accuracy", "--slow"], ["stability", "--slow"], ["plan", "--slow"],
-                                       ["cost", "--slow"]])
+                                       ["cost", "--slow"], ["queue", "--slow"], ["faults", "--slow"]])
 def test_what_is_unknown_is_refused(arguments):
     result = reproduce(*arguments)
     assert result.returncode == 2
@@ -113,3 +113,12 @@ def test_the_page_is_that_of_the_runs_kept_with_it(tmp_path, name):
     drawn = page(name, tmp_path, "--draw")
     assert drawn[f"{name}.md"] == (ROOT / f"docs/{name}.md").read_bytes()
     assert drawn[f"{name}.jsonl"] == (ROOT / f"docs/{name}.jsonl").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["queue", "load", "faults", "soak"])
+def test_the_page_of_load_is_that_of_the_runs_kept_with_it(tmp_path, name):
+    for runs in ("queue", "load", "faults", "soak"):
+        if (ROOT / f"docs/{runs}.jsonl").exists():
+            (tmp_path / f"{runs}.jsonl").write_bytes((ROOT / f"docs/{runs}.jsonl").read_bytes())
+    drawn = page(name, tmp_path, "--draw")
+    assert drawn["load.md"] == (ROOT / "docs/load.md").read_bytes()

@@ -1,7 +1,9 @@
 #!/usr/bin/python3
-"""Accepts jobs while `kill -9` falls: every accepted job must end, and exactly once.
+"""Accepts jobs while `kill -9` falls: every accepted job must end, exactly once, and leave a whole archive.
 
     kill_nine.py --binary build/release/bin/rouleau --jobs 200 --kills 5
+
+The kills fall at random among the ends of all these jobs.
 """
 
 import argparse
@@ -14,6 +16,8 @@ import sys
 import tempfile
 import threading
 import time
+
+import h5py
 
 from rouleau_server import Server, plasma
 
@@ -30,7 +34,9 @@ class Submitter(threading.Thread):
     def run(self):
         while len(self.accepted) < self.jobs:
             try:
-                self.accepted.append(self.server.submit(plasma(duration=self.duration)))
+                # No case like another: each is computed.
+                nth = len(self.accepted) + self.unanswered
+                self.accepted.append(self.server.submit(plasma(duration=self.duration + 1e-10 * nth)))
             except (OSError, AssertionError, ValueError, http.client.HTTPException):
                 self.unanswered += 1
             time.sleep(self.pause)
@@ -43,6 +49,30 @@ def all_jobs(server):
         jobs += page["jobs"]
         token = page.get("next_page_token")
     return jobs
+
+
+def ended(server):
+    return sum(server.get("/v1/queue").json()["states"][state] for state in ("succeeded", "failed", "cancelled"))
+
+
+def wait_for_ends(server, jobs, patience):
+    deadline = time.monotonic() + patience
+    while ended(server) < jobs:
+        if time.monotonic() > deadline:
+            raise SystemExit(f"{jobs} jobs have not ended in time")
+        time.sleep(0.02)
+
+
+def broken_archives(server, jobs):
+    """Those that cannot be read to their end."""
+    broken = []
+    for job in jobs:
+        try:
+            with h5py.File(server.data / "archives" / f"{job}.h5") as archive:
+                archive.visititems(lambda _, item: item[()] if isinstance(item, h5py.Dataset) else None)
+        except OSError as error:
+            broken.append(f"{job}: {error}")
+    return broken
 
 
 def wait_for_all(server, patience):
@@ -72,11 +102,12 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         with Server(pathlib.Path(folder) / "data", options.binary, options.workers) as server:
             # Handed in for as long as the kills last, so that some fall on a request.
-            submitter = Submitter(server, options.jobs, options.duration, 1.5 * options.kills / options.jobs)
+            submitter = Submitter(server, options.jobs, options.duration, min(0.1, 1.5 * options.kills / options.jobs))
             submitter.start()
             begun = time.monotonic()
-            for _ in range(options.kills):
-                time.sleep(source.uniform(0.2, 2.0))
+            for ends in sorted(source.sample(range(options.jobs), options.kills)):
+                wait_for_ends(server, ends, options.patience)
+                time.sleep(source.uniform(0, 0.2))
                 server.kill_nine()
                 server.start()
             submitter.join()
@@ -84,6 +115,8 @@ def main():
             wall_time = time.monotonic() - begun
             exit_code = server.terminate()
             archives = {path.stem for path in server.data.glob("archives/*.h5")}
+            left_over = [path.name for path in server.data.glob("archives/*") if path.suffix not in (".h5", ".xdmf")]
+            broken = broken_archives(server, archives)
             published = collections.Counter(
                 field.removeprefix("job=") for line in server.log().splitlines() if 'event="job succeeded"' in line
                 for field in line.split() if field.startswith("job="))
@@ -94,6 +127,8 @@ def main():
     # A kill may fall between the commit and the log line, never between two commits of one job.
     twice = [job_id for job_id, count in published.items() if count > 1]
     result = {
+        "scene": "kill_nine",
+        "jobs": options.jobs,
         "accepted": len(submitter.accepted),
         "unanswered_requests": submitter.unanswered,
         "jobs_in_the_store": len(jobs),
@@ -101,12 +136,14 @@ def main():
         "accepted_and_lost": len(lost),
         "ended_more_than_once": len(twice),
         "archives": len(archives),
+        "broken_archives": broken,
+        "left_over": left_over,
         "attempts": sum(job["attempt"] for job in jobs),
         "kills": options.kills,
         "wall_time_s": round(wall_time, 1),
     }
-    print(json.dumps(result, indent=2))
-    good = not lost and not twice and archives == succeeded == set(stored) and exit_code == 0
+    print(json.dumps(result))
+    good = not (lost or twice or broken or left_over) and archives == succeeded == set(stored) and exit_code == 0
     return 0 if good else 1
 
 

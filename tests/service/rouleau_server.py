@@ -60,7 +60,7 @@ class Answer:
 
 
 class Server:
-    def __init__(self, data, binary=None, workers=2, arguments=()):
+    def __init__(self, data, binary=None, workers=2, arguments=(), log_level="debug"):
         self.binary = binary or os.environ["ROULEAU_BINARY"]
         self.data = pathlib.Path(data)
         self.health_port = free_port()
@@ -68,7 +68,7 @@ class Server:
         self.port_file = self.data.with_name(self.data.name + ".port")
         self.command = [
             self.binary, "serve", "--port", "0", "--health-port", str(self.health_port), "--data", str(self.data),
-            "--port-file", str(self.port_file), "--workers", str(workers), "--log-level", "debug", *arguments,
+            "--port-file", str(self.port_file), "--workers", str(workers), "--log-level", log_level, *arguments,
         ]
         self.process = None
         self.port = None

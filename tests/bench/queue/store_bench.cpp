@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "storage/job_store.h"
+#include "storage/sha256.h"
 
 namespace rouleau::storage {
 namespace {
@@ -60,6 +61,7 @@ NewJob job_of_size(int k, std::size_t bytes) {
   NewJob job;
   job.name = std::to_string(k);
   job.case_resolved = mark + std::string(bytes - mark.size() - 2, 'x') + "\"}";
+  job.case_hash = sha256_hex(job.case_resolved);
   job.case_given = job.case_resolved;
   job.plan = R"({"particles":1250,"time_step":1e-06})";
   return job;
