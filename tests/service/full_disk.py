@@ -133,10 +133,13 @@ def run(options):
             for k in range(options.places):
                 # Every part of a job's life in turn, and anywhere in it.
                 place = 1 + int(calls * (k + source.random()) / options.places)
-                mine = faults.place(place)
-                for job in mine:
-                    faults.end(job)
-                jobs += mine
+                hit = faults.counts["hit"]
+                while faults.counts["hit"] == hit and place > 0:
+                    mine = faults.place(place)
+                    for job in mine:
+                        faults.end(job)
+                    jobs += mine
+                    place -= 1 + calls // 10  # calls shared with others, or an end that came sooner
             stored = {job["id"] for job in all_jobs(server)}
             exit_code = server.terminate()
             broken = check_archives(server, jobs)

@@ -112,7 +112,7 @@ class TestDoctor:
             assert server.wait(done[0])["state"] == "succeeded"
             assert server.terminate() == 0
         assert doctor(data, "--deep")[0] == 0
-        assert (data / "lost+found").exists() == (damage != "gone")
+        assert (data / "lost+found/archives" / archive.name).exists() == (damage != "gone")
 
     def test_a_damaged_store_is_named_and_nothing_is_touched(self, data):
         database = data / "jobs.sqlite"
