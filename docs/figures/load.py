@@ -114,12 +114,13 @@ def faults_page(runs):
         text += f"""
 `kill -9` at {run['kills']} random moments while {run['jobs']} jobs, no two alike, were handed in and run by two workers:
 """
-        text += table(["promised", "found"], ["accepted jobs that succeeded", f"{run['succeeded']} of {run['accepted']}"],
+        text += table(["promised", "found"], ["accepted jobs that succeeded", f"{run['accepted'] - run['accepted_and_lost']} of {run['accepted']}"],
                       ["accepted and lost", run["accepted_and_lost"]],
                       ["result published more than once", run["ended_more_than_once"]],
                       ["archives that h5py reads to their end", f"{run['archives'] - len(run['broken_archives'])} of {run['archives']}"],
                       ["files left over", len(run["left_over"])], ["attempts", run["attempts"]],
-                      ["requests that got no answer, for a kill", run["unanswered_requests"]])
+                      ["requests that got no answer, for a kill", run["unanswered_requests"]],
+                      ["of these stored, and succeeded", run["jobs_in_the_store"] - run["accepted"]])
     if run := runs.get("full_disk"):
         text += f"""
 A disk that is full from one call on (`write`, `fsync`, `ftruncate` and the like in the data folder, failed with ENOSPC by
