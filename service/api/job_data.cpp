@@ -14,8 +14,12 @@ JobData::JobData(Service& service, const storage::Job& job) {
   // It waits with what it has computed.
   const auto unfinished = unfinished_archive(service.queue.archives(), job.id);
   if (unfinished.empty()) return;
+  try {
+    archive_.emplace(unfinished);
+  } catch (const storage::ArchiveError&) {
+    return;  // a worker has just taken it, or it is torn
+  }
   live_.reset();
-  archive_.emplace(unfinished);
   is_finished_ = false;
 }
 
