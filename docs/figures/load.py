@@ -30,7 +30,7 @@ QUEUE_AFTER = """
 What is and is not alike: Rouleau's store is a library within the service, measured in its own process by 16 threads, and
 stores each case twice (as given, and with its defaults) besides a plan, a hash and nine indexes; what HTTP adds is in the next
 table. plainjob is a library, too: one Node process, in which calls cannot overlap, with `synchronous = FULL`, which is not its
-default. BullMQ and pg-boss speak to a server of their own over TCP, with a connection for each client: Redis with
+default; it waits for a sync of its own with every call, and so is as quick as the disk happens to be. BullMQ and pg-boss speak to a server of their own over TCP, with a connection for each client: Redis with
 `appendonly yes, appendfsync always`, PostgreSQL with `fsync` and `synchronous_commit` on. To claim and to complete are two
 durable calls with Rouleau, plainjob and pg-boss; a BullMQ Worker ends a job and claims the next in one, which its rate
 profits from, and the time of a call is that from claim to end.
@@ -41,10 +41,12 @@ LOAD = """
 
 `deploy/reproduce load`
 
-{jobs} jobs in the store, {clients} clients of wrk that ask for one of them after the other without a pause, and clients that
-submit cases that are all different, {seconds} s each on {cores} cores, which clients and workers share with the service.
+{jobs} jobs in the store, {clients} clients of wrk that ask for one of them after the other, with or without a pause, and clients
+that submit cases that are all different, {seconds} s each on {cores} cores, which clients and workers share with the service.
+Without a pause the clients take all that the machine has, and what is measured is the queue in front of it.
 """
-LOAD_NAMES = {"status": "they alone", "status_and_submit": "and {submitters} that submit",
+LOAD_NAMES = {"paced": "they alone, 10 ms after each answer", "paced_and_submit": "and {submitters} that submit, all 10 ms after each answer",
+              "status": "they alone", "status_and_submit": "and {submitters} that submit",
               "status_submit_and_compute": "and {submitters} that submit, while two workers compute"}
 
 FAULTS = """
@@ -54,7 +56,7 @@ FAULTS = """
 """
 
 SOAK = """
-## An hour of mixed load
+## Mixed load
 
 `deploy/reproduce soak`
 
@@ -105,7 +107,8 @@ def load_page(runs):
             rows.append([name, "`GET /v1/jobs/{id}`", *latency(run["status"]), run["status"]["wrong"]])
             if run["submit"]:
                 rows.append([name, "`POST /v1/jobs`", *latency(run["submit"]), run["submit"]["wrong"]])
-    return LOAD.format(**next(iter(runs.values()))) + table(*rows)
+    remarks = {run["remark"] for run in runs.values() if "remark" in run}
+    return LOAD.format(**next(iter(runs.values()))) + "".join(f"{remark}\n" for remark in remarks) + table(*rows)
 
 
 def faults_page(runs):

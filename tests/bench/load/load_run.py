@@ -21,14 +21,16 @@ sys.path.insert(0, str(HERE.parents[1] / "service"))
 from rouleau_server import Server, plasma  # noqa: E402
 
 # What runs beside those who ask for a status: nobody; those who submit; they and the workers that compute.
-SCENES = {"status": {"submit": False, "compute": False},
+SCENES = {"paced": {"submit": False, "compute": False, "pause_ms": 10},
+          "paced_and_submit": {"submit": True, "compute": False, "pause_ms": 10},
+          "status": {"submit": False, "compute": False},
           "status_and_submit": {"submit": True, "compute": False},
           "status_submit_and_compute": {"submit": True, "compute": True}}
 
 
-def wrk(server, script, clients, seconds, jobs_file):
+def wrk(server, script, clients, seconds, jobs_file, pause_ms=0):
     # The first line is JSON even when wrk says more.
-    environment = {**os.environ, "JOBS": str(jobs_file), "REPORT": str(HERE / "report.lua")}
+    environment = {**os.environ, "JOBS": str(jobs_file), "REPORT": str(HERE / "report.lua"), "PAUSE_MS": str(pause_ms)}
     return subprocess.Popen(["wrk", "--threads", "1", "--connections", str(clients), "--duration", f"{seconds}s", "--timeout", "30s",
                              "--script", HERE / script, server.url], env=environment, stdout=subprocess.PIPE, text=True)
 
@@ -54,8 +56,10 @@ def run(scene, options):
             jobs_file.write_text("\n".join(fill(server, options.jobs)))
             if wanted["compute"]:
                 server.request("POST", "/v1/queue:resume")
-            asking = wrk(server, "status.lua", options.clients, options.seconds, jobs_file)
-            submitting = wrk(server, "submit.lua", options.submitters, options.seconds, jobs_file) if wanted["submit"] else None
+            asking = wrk(server, "status.lua", options.clients, options.seconds, jobs_file, wanted.get("pause_ms", 0))
+            submitting = None
+            if wanted["submit"]:
+                submitting = wrk(server, "submit.lua", options.submitters, options.seconds, jobs_file, wanted.get("pause_ms", 0))
             return {"scene": scene, "jobs": options.jobs, "seconds": options.seconds, "clients": options.clients,
                     "status": report_of(asking), "submitters": options.submitters if submitting else 0,
                     "submit": report_of(submitting) if submitting else None, "cores": os.cpu_count()}

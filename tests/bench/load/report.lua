@@ -1,4 +1,11 @@
--- One line of JSON when wrk is done; times in ms.
+-- What both have in common: PAUSE_MS after each answer, and one line of JSON when wrk is done; times in ms.
+local pause = tonumber(os.getenv("PAUSE_MS"))
+if pause > 0 then
+  function delay()
+    return pause
+  end
+end
+
 function done(summary, latency)
   local wrong = summary.errors.connect + summary.errors.read + summary.errors.write + summary.errors.status + summary.errors.timeout
   io.write(string.format(
