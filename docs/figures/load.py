@@ -124,7 +124,7 @@ def faults_page(runs):
                       ["files left over", len(run["left_over"])], ["attempts", run["attempts"]],
                       ["requests that got no answer, for a kill", run["unanswered_requests"]],
                       ["of these stored, and succeeded", run["jobs_in_the_store"] - run["accepted"]])
-    if run := runs.get("full_disk"):
+    if run := runs.get("anywhere"):
         text += f"""
 A disk that is full from one call on (`write`, `fsync`, `ftruncate` and the like in the data folder, failed with ENOSPC by
 `tests/service/full_disk.c`), at {run['places']} places spread over the {run['calls_of_a_job']} calls of a job's life. While it is full the
