@@ -1,5 +1,6 @@
 #include "service/server.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -95,6 +96,32 @@ std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(1e3 * seconds));
 }
 
+constexpr double rate_limit_with_tokens = 50;
+
+RateLimit rate_limit(const ServeOptions& options) {
+  const double rate = options.rate_limit.value_or(options.token_file.empty() ? 0 : rate_limit_with_tokens);
+  return {rate, options.rate_burst.value_or(std::max(1.0, 2 * rate))};
+}
+
+/// Those in use stay if the file cannot be read.
+void read_tokens_again(const std::filesystem::path& file, Access& access) {
+  try {
+    access.replace_tokens(read_tokens(file));
+    log::info("tokens read again", {{"file", file.string()}});
+  } catch (const std::exception& error) {
+    log::error("the tokens in use stay", {{"error", error.what()}});
+  }
+}
+
+/// Waits for the signal that ends the service.
+int serve_until_signal(const ServeOptions& options, Access& access) {
+  for (;;) {
+    const int signal = wait_for_interrupt();
+    if (signal != SIGHUP || options.token_file.empty()) return signal;
+    read_tokens_again(options.token_file, access);
+  }
+}
+
 /// Written aside and renamed: whoever sees it sees the whole number.
 void write_port_file(const std::filesystem::path& file, int port) {
   const std::filesystem::path part = file.string() + ".part";
@@ -111,8 +138,10 @@ void serve(const ServeOptions& options) {
   // A limit on the size of files is to be told like a full disk, not to end the process.
   std::signal(SIGXFSZ, SIG_IGN);
   ServerSettings settings;
-  if (!options.token_file.empty())
-    settings.access = std::make_shared<Access>(read_tokens(options.token_file));
+  const auto access = options.token_file.empty() ? std::make_shared<Access>()
+                                                 : std::make_shared<Access>(read_tokens(options.token_file));
+  settings.access = access;
+  settings.rate = rate_limit(options);
   ServerSettings health_settings;
   health_settings.threads = health_threads;
 
@@ -159,7 +188,7 @@ void serve(const ServeOptions& options) {
     std::cout << "serving " << url << " with its data in " << options.data.string() << std::endl;
   }
 
-  const int signal = wait_for_interrupt();
+  const int signal = serve_until_signal(options, *access);
   log::info("draining", {{"signal", std::to_string(signal)}});
   draining = true;
   queue.drain();

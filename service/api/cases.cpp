@@ -16,13 +16,13 @@ void add_cases(Router& router, Service& service) {
         answer_json({{"case", to_json(planned.resolved)}, {"case_hash", case_hash(planned.resolved)}},
                     response);
       },
-      Body::json);
+      Body::json, Scope::read);
   router.add(
       "POST", "/v1/cases:plan",
       [&service](const Call& call, httplib::Response& response) {
         answer_json(to_json(plan_case(read_body(call.request.body), "", &service.machine).plan), response);
       },
-      Body::json);
+      Body::json, Scope::read);
   router.add("GET", "/v1/schema/case.json", [](const Call&, httplib::Response& response) {
     response.set_content(dump(case_schema()), "application/schema+json");
   });

@@ -47,12 +47,14 @@ void add_queue(Router& router, Service& service) {
     check_query(call, {});
     answer_queue(service, response);
   });
-  router.add("POST", "/v1/queue:pause", [&service](const Call& call, httplib::Response& response) {
-    pause(service, call, response, true);
-  });
-  router.add("POST", "/v1/queue:resume", [&service](const Call& call, httplib::Response& response) {
-    pause(service, call, response, false);
-  });
+  router.add(
+      "POST", "/v1/queue:pause",
+      [&service](const Call& call, httplib::Response& response) { pause(service, call, response, true); },
+      Body::none, Scope::admin);
+  router.add(
+      "POST", "/v1/queue:resume",
+      [&service](const Call& call, httplib::Response& response) { pause(service, call, response, false); },
+      Body::none, Scope::admin);
 }
 
 }  // namespace rouleau::service

@@ -68,8 +68,8 @@ int run_command_line(int argc, char** argv) {
 
   Action action;
   for (const auto add : {add_validate, add_plan, add_run, add_series, add_sweep, add_bench, add_serve,
-                         add_submit, add_status, add_wait, add_logs, add_fetch, add_job_actions, add_delete,
-                         add_queue, add_doctor, add_backup, add_restore}) {
+                         add_token, add_submit, add_status, add_wait, add_logs, add_fetch, add_job_actions,
+                         add_delete, add_queue, add_doctor, add_backup, add_restore}) {
     add(app, action);
   }
   try {

@@ -45,6 +45,7 @@ void add_serve(CLI::App& app, Action& action) {
   auto* const command = app.add_subcommand("serve", "Run the service: HTTP API, queue, workers and web page");
   const auto options = std::make_shared<ServeOptions>();
   const auto log_level = std::make_shared<std::string>("info");
+  const auto log_format = std::make_shared<std::string>("text");
   options->data = default_data_folder();
   options->workers = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 
@@ -84,20 +85,33 @@ void add_serve(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   add_retention(*command, *options);
-  command->add_option("--token-file", options->token_file, "Tokens that may call, one a line");
+  command->add_option("--token-file", options->token_file,
+                      "Tokens that may call, lines of `rouleau token`; read again on SIGHUP");
+  command
+      ->add_option("--rate-limit", options->rate_limit,
+                   "Requests a second of each token, or of each address where none is needed; 0: any number "
+                   "(default: 50 with tokens, else 0)")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--rate-burst", options->rate_burst,
+                   "Requests that may come at once (default: twice the rate)")
+      ->check(CLI::Range(1.0, 1e6));
   command->add_option("--port-file", options->port_file, "Write the port here once it answers");
   command->add_option("--web", options->web,
                       "Folder of the web page (default: the one built with this program)");
   command->add_option("--log-level", *log_level, "What is logged to standard error")
       ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
       ->capture_default_str();
+  command->add_option("--log-format", *log_format, "How: key=value, or a JSON object a line")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
   command->add_flag("--json", action.json, "Print the address as JSON once it answers");
-  command->callback([&action, options, log_level] {
-    action.run = [&action, options, log_level] {
+  command->callback([&action, options, log_level, log_format] {
+    action.run = [&action, options, log_level, log_format] {
       if (!is_loopback(options->host) && options->token_file.empty()) {
         throw CommandError(exit_bad_input, "listening on " + options->host + " needs --token-file");
       }
-      log::set_up(*log_level);
+      log::set_up(*log_level, *log_format == "json" ? log::Format::json : log::Format::text);
       options->json = action.json;
       serve(*options);
       return exit_done;

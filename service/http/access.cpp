@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <stdexcept>
 
 #include <openssl/crypto.h>
 
 #include "service/http/problem.h"
 #include "service/http/request_head.h"
+#include "storage/sha256.h"
 
 namespace rouleau::service {
 
 namespace {
 
 constexpr std::string_view bearer = "Bearer ";
-constexpr std::size_t least_token_length = 16;
 
 /// "localhost:8080" -> "localhost", "[::1]:8080" -> "[::1]".
 std::string_view without_port(std::string_view host) {
@@ -26,6 +24,15 @@ std::string_view without_port(std::string_view host) {
 }
 
 }  // namespace
+
+Access::Access(std::vector<Token> tokens)
+    : needs_token_(true), tokens_(std::make_shared<const std::vector<Token>>(std::move(tokens))) {}
+
+void Access::replace_tokens(std::vector<Token> tokens) {
+  auto replaced = std::make_shared<const std::vector<Token>>(std::move(tokens));
+  const std::lock_guard lock(mutex_);
+  tokens_.swap(replaced);
+}
 
 void Access::check_host(std::string_view host) const {
   if (needs_token()) return;
@@ -45,36 +52,25 @@ void Access::check_origin(std::string_view origin, std::string_view host) {
   }
 }
 
-void Access::check_token(std::string_view authorization) const {
-  if (!needs_token()) return;
-  bool known = false;
-  if (authorization.size() > bearer.size() &&
-      equal_ignoring_case(authorization.substr(0, bearer.size()), bearer)) {
-    const std::string_view given = authorization.substr(bearer.size());
-    // Every token is compared, each in constant time: how long it takes says nothing about them.
-    for (const std::string& token : tokens_) {
-      known |= token.size() == given.size() && CRYPTO_memcmp(token.data(), given.data(), given.size()) == 0;
-    }
+std::optional<Caller> Access::identify(std::string_view authorization) const {
+  if (!needs_token()) return Caller{"", Scope::admin};
+  if (authorization.size() <= bearer.size() ||
+      !equal_ignoring_case(authorization.substr(0, bearer.size()), bearer)) {
+    return std::nullopt;
   }
-  if (!known) throw Problem(problems::unauthorized, "send a token of this server's token file");
-}
-
-std::vector<std::string> read_tokens(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) throw std::runtime_error("cannot read the token file " + file.string());
-  std::vector<std::string> tokens;
-  for (std::string line; std::getline(stream, line);) {
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t'))
-      line.pop_back();
-    if (line.empty() || line.front() == '#') continue;
-    if (line.size() < least_token_length) {
-      throw std::runtime_error("a token in " + file.string() + " has fewer than " +
-                               std::to_string(least_token_length) + " characters");
-    }
-    tokens.push_back(line);
+  Tokens tokens;
+  {
+    const std::lock_guard lock(mutex_);
+    tokens = tokens_;
   }
-  if (tokens.empty()) throw std::runtime_error("the token file " + file.string() + " holds no token");
-  return tokens;
+  const std::string given = storage::sha256_hex(authorization.substr(bearer.size()));
+  const Token* known = nullptr;
+  // Every token is compared, each in constant time: how long it takes says nothing about them.
+  for (const Token& token : *tokens) {
+    if (CRYPTO_memcmp(token.sha256.data(), given.data(), given.size()) == 0) known = &token;
+  }
+  if (known == nullptr) return std::nullopt;
+  return Caller{known->name, known->scope};
 }
 
 bool is_loopback(std::string_view address) {

@@ -56,7 +56,7 @@ void answer(const Problem& problem, const std::string& request_id, httplib::Resp
 GuardedServer::GuardedServer(Router router, ServerSettings settings)
     : router_(std::move(router)),
       settings_(std::move(settings)),
-      gate_(router_, settings_.access),
+      gate_(router_, settings_.access, settings_.rate),
       room_(*this, settings_.room, settings_.limits, settings_.timeouts) {
   set_keep_alive_timeout(std::chrono::floor<std::chrono::seconds>(settings_.timeouts.idle).count());
   set_keep_alive_max_count(10000);
@@ -123,6 +123,7 @@ GuardedServer::GuardedServer(Router router, ServerSettings settings)
   set_logger([](const httplib::Request& request, const httplib::Response& response) {
     log::debug("answered", {{"request", current().id},
                             {"from", request.remote_addr},
+                            {"caller", current().admission.caller},
                             {"method", request.method},
                             {"target", request.target},
                             {"status", std::to_string(response.status)}});
@@ -162,7 +163,7 @@ void GuardedServer::stop() {
 
 void GuardedServer::admit(Connection& connection) {
   Exchange& exchange = *connection.exchange();
-  exchange.admission = gate_.admit(exchange.head);
+  exchange.admission = gate_.admit(exchange.head, connection.address());
   if (!exchange.admission.refusal && expects_continue(exchange.head) && !connection.request_is_whole()) {
     constexpr std::string_view text = "HTTP/1.1 100 Continue\r\n\r\n";
     connection.write(text.data(), text.size());

@@ -22,6 +22,7 @@ struct ServerSettings {
   ConnectionTimeouts timeouts;
   RoomLimits room;
   std::shared_ptr<const Access> access = std::make_shared<Access>();
+  RateLimit rate;
 };
 
 /// cpp-httplib's reading of requests and writing of answers behind our own connections and our own routes.

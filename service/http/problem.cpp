@@ -21,10 +21,15 @@ const ProblemKind unknown_column{"unknown-column", 400, "Unknown column",
                                  "`columns` names a column that this job's time series does not have."};
 const ProblemKind unauthorized{
     "unauthorized", 401, "A token is needed",
-    "This server was started with a token file: send `Authorization: Bearer TOKEN`."};
+    "This server was started with a token file: send `Authorization: Bearer TOKEN` with a token of it, as "
+    "`rouleau token` makes them."};
 const ProblemKind cross_origin{
     "cross-origin", 403, "Refused for pages of other sites",
     "A web page of another site tried to change something here. The `Origin` header must match `Host`."};
+const ProblemKind forbidden{"forbidden", 403, "Not with this token",
+                            "The token is known, but has not the scope that this takes: `read` to look, "
+                            "`submit` to make and change jobs and sweeps, `admin` to control the queue. Ask "
+                            "whoever keeps the token file for another."};
 const ProblemKind not_found{"not-found", 404, "Not found",
                             "Nothing is at this address, or no job has this id."};
 const ProblemKind method_not_allowed{"method-not-allowed", 405, "Method not allowed",
@@ -71,6 +76,11 @@ const ProblemKind sweep_too_large{"sweep-too-large", 422, "The sweep has too man
 const ProblemKind idempotency_mismatch{
     "idempotency-mismatch", 422, "The key stands for another request",
     "This `Idempotency-Key` was used before with another body or at another address. Take a new key."};
+const ProblemKind too_many_requests{
+    "too-many-requests", 429, "Too many requests",
+    "More requests came from this token, or from this address, than are taken. Try again after "
+    "`Retry-After` seconds; `RateLimit-Policy` and `RateLimit` tell how many may come and how many are "
+    "left."};
 const ProblemKind headers_too_large{"headers-too-large", 431, "Too many or too large headers",
                                     "The request's headers are more, or longer, than are read here."};
 const ProblemKind internal{"internal", 500, "Something went wrong here",
@@ -99,36 +109,40 @@ const ProblemKind unavailable{"unavailable", 503, "Nothing can be stored now",
 
 const std::vector<const ProblemKind*>& problem_kinds() {
   using namespace problems;
-  static const std::vector<const ProblemKind*> kinds{&bad_request,
-                                                     &invalid_json,
-                                                     &invalid_request,
-                                                     &unknown_column,
-                                                     &unauthorized,
-                                                     &cross_origin,
-                                                     &not_found,
-                                                     &method_not_allowed,
-                                                     &request_timeout,
-                                                     &not_finished,
-                                                     &invalid_transition,
-                                                     &idempotency_in_progress,
-                                                     &expired,
-                                                     &length_required,
-                                                     &payload_too_large,
-                                                     &uri_too_long,
-                                                     &unsupported_media_type,
-                                                     &range_not_satisfiable,
-                                                     &unknown_host,
-                                                     &invalid_case,
-                                                     &sweep_too_large,
-                                                     &idempotency_mismatch,
-                                                     &headers_too_large,
-                                                     &internal,
-                                                     &draining,
-                                                     &too_many_connections,
-                                                     &queue_full,
-                                                     &too_many_streams,
-                                                     &no_space,
-                                                     &unavailable};
+  static const std::vector<const ProblemKind*> kinds{
+      &bad_request,
+      &invalid_json,
+      &invalid_request,
+      &unknown_column,
+      &unauthorized,
+      &cross_origin,
+      &forbidden,
+      &not_found,
+      &method_not_allowed,
+      &request_timeout,
+      &not_finished,
+      &invalid_transition,
+      &idempotency_in_progress,
+      &expired,
+      &length_required,
+      &payload_too_large,
+      &uri_too_long,
+      &unsupported_media_type,
+      &range_not_satisfiable,
+      &unknown_host,
+      &invalid_case,
+      &sweep_too_large,
+      &idempotency_mismatch,
+      &too_many_requests,
+      &headers_too_large,
+      &internal,
+      &draining,
+      &too_many_connections,
+      &queue_full,
+      &too_many_streams,
+      &no_space,
+      &unavailable,
+  };
   return kinds;
 }
 

@@ -45,8 +45,10 @@ std::optional<std::map<std::string, std::string>> fits(const std::vector<std::st
 
 }  // namespace
 
-void Router::add(std::string method, std::string_view pattern, Handler handler, Body body) {
-  routes_.push_back({std::move(method), std::string(pattern), split(pattern), body, std::move(handler)});
+void Router::add(const std::string& method, std::string_view pattern, Handler handler, Body body,
+                 std::optional<Scope> scope) {
+  routes_.push_back({method, std::string(pattern), split(pattern), body,
+                     scope.value_or(method == "GET" ? Scope::read : Scope::submit), std::move(handler)});
 }
 
 Router::Match Router::find(std::string_view method, std::string_view path) const {

@@ -2,11 +2,14 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <httplib.h>
+
+#include "service/http/token_file.h"
 
 namespace rouleau::service {
 
@@ -30,6 +33,7 @@ struct Route {
   std::string pattern;
   std::vector<std::string> segments;  ///< "{id}" matches any one segment, "{id}:cancel" one that ends so
   Body body = Body::none;
+  Scope scope = Scope::read;
   Handler handler;
 };
 
@@ -37,7 +41,9 @@ struct Route {
 class Router {
  public:
   /// @param pattern such as "/v1/jobs/{id}:cancel"
-  void add(std::string method, std::string_view pattern, Handler handler, Body body = Body::none);
+  /// @param scope   that a token must have, under /v1; by default read for GET and submit for all else
+  void add(const std::string& method, std::string_view pattern, Handler handler, Body body = Body::none,
+           std::optional<Scope> scope = {});
 
   struct Match {
     const Route* route = nullptr;  ///< null: no route takes this path with this method
