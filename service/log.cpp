@@ -11,7 +11,7 @@ namespace rouleau::service::log {
 
 namespace {
 
-std::string quoted(std::string_view value) {
+std::string json_string(std::string_view value) {
   return nlohmann::json(value).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
@@ -21,7 +21,7 @@ std::string quoted_if_needed(const std::string& value) {
            std::string_view("-_.:/+").find(c) != std::string_view::npos;
   });
   if (plain) return value;
-  return quoted(value);
+  return json_string(value);
 }
 
 // Set before there is a second thread.
@@ -46,8 +46,8 @@ std::string format(std::string_view event, Fields fields) {
 }
 
 std::string format_members(std::string_view event, Fields fields) {
-  std::string members = "\"event\":" + quoted(event);
-  for (const auto& [key, value] : fields) members += ',' + quoted(key) + ':' + quoted(value);
+  std::string members = "\"event\":" + json_string(event);
+  for (const auto& [key, value] : fields) members += ',' + json_string(key) + ':' + json_string(value);
   return members;
 }
 

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdint>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <optional>
@@ -21,6 +22,8 @@
 #include "service/http/guarded_server.h"
 #include "service/interrupt.h"
 #include "service/log.h"
+#include "service/metrics.h"
+#include "service/metrics_reading.h"
 
 namespace rouleau::service {
 
@@ -44,6 +47,7 @@ class RunningServer {
     thread_ = std::thread([this] { server_.serve(); });
   }
   int port() const { return port_; }
+  std::size_t connections() const { return server_.connections(); }
 
  private:
   GuardedServer server_;
@@ -73,9 +77,10 @@ Router make_routes(Service& service, const std::filesystem::path& web) {
   return router;
 }
 
-Router make_health_routes(const std::atomic<bool>& draining) {
+Router make_health_routes(const std::atomic<bool>& draining, std::function<std::string()> metrics) {
   Router router;
   add_health(router, draining);
+  add_metrics(router, std::move(metrics));
   return router;
 }
 
@@ -145,12 +150,11 @@ void serve(const ServeOptions& options) {
   ServerSettings health_settings;
   health_settings.threads = health_threads;
 
+  Metrics metrics;
+  settings.on_answer = [&metrics](const Answered& answered) { metrics.note_answer(answered); };
+
   storage::JobStore store(options.data);
   std::atomic<bool> draining = false;
-  std::optional<RunningServer> health;
-  if (options.health_port != 0) {
-    health.emplace(make_health_routes(draining), health_settings, "127.0.0.1", options.health_port);
-  }
   KnownMachine machine(options.data);
   Queue queue(store, options.data, machine, checkpoint_interval(options.checkpoint_interval));
   ArchiveUse archive_use;
@@ -170,6 +174,17 @@ void serve(const ServeOptions& options) {
   // Streams take their threads from no one.
   settings.threads += static_cast<std::size_t>(options.max_streams);
   RunningServer api(make_routes(service, options.web), std::move(settings), options.host, options.port);
+  std::optional<RunningServer> health;
+  if (options.health_port != 0) {
+    const auto read = [&] { return metrics.text(read_metrics(service, api.connections(), options.data)); };
+    health.emplace(make_health_routes(draining, read), health_settings, "127.0.0.1", options.health_port);
+  }
+
+  queue.watch([&](const storage::Job& job) {
+    if (const auto after = store.find(job.id)) {
+      metrics.note_attempt(job, after->state, storage::system_clock_ms());
+    }
+  });
 
   // Only now that the addresses are ours is a job touched.
   queue.start(options.workers);

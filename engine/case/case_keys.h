@@ -42,7 +42,13 @@ struct Range {
   bool holds(double value) const;
 };
 
-struct Variant;
+struct Key;
+
+/// The members that an object has beside those of every variant where its first member says `choice`.
+struct Variant {
+  std::string choice;
+  std::vector<Key> members;
+};
 
 /// One key of a case: all that the reader checks and all that the JSON Schema says.
 struct Key {
@@ -61,12 +67,6 @@ struct Key {
   std::vector<std::string> choices = {};
   std::vector<Key> members = {};
   std::vector<Variant> variants = {};
-};
-
-/// The members that an object has beside those of every variant where its first member says `choice`.
-struct Variant {
-  std::string choice;
-  std::vector<Key> members;
 };
 
 /// What each entry of a list must be.

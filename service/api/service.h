@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "service/api/idempotency.h"
@@ -54,7 +55,8 @@ void add_archive(Router& router, Service& service);      ///< /v1/jobs/{id}/arch
 void add_cases(Router& router, Service& service);        ///< /v1/cases:validate, :plan, /v1/schema/case.json
 void add_problems(Router& router);                       ///< /problems/{name}
 void add_openapi(Router& router);                        ///< /openapi.json
-void add_health(Router& router, const std::atomic<bool>& draining);  ///< /livez, /readyz
+void add_metrics(Router& router, std::function<std::string()> text);  ///< /metrics
+void add_health(Router& router, const std::atomic<bool>& draining);   ///< /livez, /readyz
 
 /// The job with the id of the route.
 /// @throws Problem 404, 410

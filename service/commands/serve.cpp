@@ -55,7 +55,8 @@ void add_serve(CLI::App& app, Action& action) {
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   command
-      ->add_option("--health-port", options->health_port, "Port of /livez and /readyz on 127.0.0.1; 0: none")
+      ->add_option("--health-port", options->health_port,
+                   "Port of /livez, /readyz and /metrics on 127.0.0.1; 0: none")
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   command->add_option("--data", options->data, "Folder of the job store and the archives")

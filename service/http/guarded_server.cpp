@@ -120,13 +120,17 @@ GuardedServer::GuardedServer(Router router, ServerSettings settings)
                      std::exchange(response.content_length_, 0));
     }
   });
-  set_logger([](const httplib::Request& request, const httplib::Response& response) {
+  set_logger([this](const httplib::Request& request, const httplib::Response& response) {
     log::debug("answered", {{"request", current().id},
                             {"from", request.remote_addr},
                             {"caller", current().admission.caller},
                             {"method", request.method},
                             {"target", request.target},
                             {"status", std::to_string(response.status)}});
+    const Route* const route = current().admission.match.route;
+    const std::chrono::duration<double> taken = Connection::Clock::now() - current().begun;
+    settings_.on_answer({route == nullptr ? "" : route->method, route == nullptr ? "" : route->pattern,
+                         response.status, taken.count()});
   });
 }
 

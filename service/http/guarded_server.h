@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -15,6 +16,14 @@
 
 namespace rouleau::service {
 
+/// What is told of each request once it is answered.
+struct Answered {
+  std::string method;  ///< of the route; "" where there is none
+  std::string route;   ///< its pattern
+  int status = 0;
+  double seconds = 0;  ///< since its head was there
+};
+
 struct ServerSettings {
   /// Half of them for requests that wait and for streams, which hold one each.
   std::size_t threads = 128;
@@ -23,6 +32,7 @@ struct ServerSettings {
   RoomLimits room;
   std::shared_ptr<const Access> access = std::make_shared<Access>();
   RateLimit rate;
+  std::function<void(const Answered&)> on_answer = [](const Answered&) {};
 };
 
 /// cpp-httplib's reading of requests and writing of answers behind our own connections and our own routes.

@@ -5,11 +5,13 @@
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "service/known_machine.h"
@@ -37,6 +39,9 @@ class Queue {
 
   /// Takes back what a dead process held and begins to work.
   void start(int workers);
+
+  /// Is told of each job whose attempt has ended, as it was when that began. To be set before `start`.
+  void watch(std::function<void(const storage::Job&)> on_attempt) { on_attempt_ = std::move(on_attempt); }
 
   /// A job was submitted.
   void wake();
@@ -71,6 +76,7 @@ class Queue {
   storage::JobStore& store_;
   const std::filesystem::path archives_;
   const std::string owner_;
+  std::function<void(const storage::Job&)> on_attempt_;
   LiveJobs live_;
   JobLogs logs_;
   Workplace place_;
