@@ -14,6 +14,10 @@ target_compile_options(
             -fopenmp-simd
             -fno-math-errno
             -fno-trapping-math)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  # It builds the fuzzers alone: what only Clang warns of stays a warning, and so do options that it does not know.
+  target_compile_options(rouleau_flags INTERFACE -Wno-error -Wno-unknown-warning-option)
+endif()
 if(ROULEAU_NATIVE)
   # GCC 12 warns of its own AVX-512 intrinsics (its bug 105593).
   target_compile_options(rouleau_flags INTERFACE -march=native -Wno-maybe-uninitialized)

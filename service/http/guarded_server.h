@@ -25,8 +25,8 @@ struct Answered {
 };
 
 struct ServerSettings {
-  /// Half of them for requests that wait and for streams, which hold one each.
-  std::size_t threads = 128;
+  /// Half of them for requests that wait, which hold one each; streams come on top.
+  std::size_t threads = 64;
   RequestLimits limits;
   ConnectionTimeouts timeouts;
   RoomLimits room;

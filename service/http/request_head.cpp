@@ -142,6 +142,7 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
       }
     }
   }
+  if (first) throw bad("there is no request line");
   check_host(head);
   read_body_headers(limits, head);
   return head;

@@ -128,7 +128,7 @@ bool Queue::work_once() {
     store_.release(claimed->job.id, claimed->job.attempt, storage::system_clock_ms() + lease_time.count());
     return true;
   }
-  const storage::Job job = claimed->job;
+  const storage::Job begun = claimed->job;
   Attempt attempt(place_, std::move(*claimed));
   {
     // A drain that began between the claim and here has not seen this job.
@@ -138,7 +138,7 @@ bool Queue::work_once() {
     }
   }
   attempt.run();
-  if (on_attempt_) on_attempt_(job);
+  if (on_attempt_) on_attempt_(begun);
   changes_.announce();
   return true;
 }

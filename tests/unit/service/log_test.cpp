@@ -15,5 +15,10 @@ TEST(LogLine, CannotBeForged) {
             "event=x name=\"a\\nlevel=error \\\"b\\\"\\u001b[31m\\ufffd\"");
 }
 
+TEST(LogLine, CanBeJson) {
+  EXPECT_EQ(log::format_members("a \"b\"", {{"name", "x\n\xff"}, {"empty", ""}}),
+            R"("event":"a \"b\"","name":"x\n\ufffd","empty":"")");
+}
+
 }  // namespace
 }  // namespace rouleau::service

@@ -85,5 +85,15 @@ TEST(HeadForHttplib, HidesRangesAndSaysHowLongABodyIs) {
   EXPECT_EQ(head_for_httplib(read), "POST /a HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n");
 }
 
+TEST(Path, IsWhatTheTargetNamesDecodedOnce) {
+  EXPECT_EQ(path_of("/v1/jobs?state=queued"), "/v1/jobs");
+  EXPECT_EQ(path_of("/a#b?c"), "/a");
+  EXPECT_EQ(path_of("/%76%31/%2e%2E/%252e"), "/v1/../%2e");
+  EXPECT_EQ(path_of("/%"), "/%");
+  EXPECT_EQ(path_of("/%4"), "/%4");
+  EXPECT_EQ(path_of("/%zz%+1%-1"), "/%zz%+1%-1");
+  EXPECT_EQ(path_of("/a+b"), "/a+b");
+}
+
 }  // namespace
 }  // namespace rouleau::service
