@@ -42,7 +42,7 @@ def test_an_image_of_the_disk_at_any_instant_is_whole(tmp_path):
         for client in clients:
             client.start()
         for k in range(6):
-            time.sleep(0.1 * (k + 1))
+            time.sleep(0.03 * (k + 1))
             server.process.send_signal(signal.SIGSTOP)
             known = list(accepted)
             shutil.copytree(server.data, tmp_path / f"image{k}")
@@ -75,7 +75,7 @@ def test_the_clock_steps_back(tmp_path, monkeypatch):
         monkeypatch.setenv(name, value)
     with Server(tmp_path / "data") as server:
         monkeypatch.undo()
-        before = [server.submit(plasma(duration=1e-3 + 1e-9 * k)) for k in range(4)]
+        before = [server.submit(plasma(duration=2e-2 + 1e-9 * k)) for k in range(4)]
         server.wait_until_running(before[0])
         clock.write_text("-2h")
         after = [server.submit(plasma(duration=1e-5 + 1e-9 * k)) for k in range(4)]
@@ -105,7 +105,7 @@ class TestWorker:
 
     def test_half_an_archive_is_not_taken_for_one(self, tmp_path):
         with Server(tmp_path / "data") as server:
-            job = server.submit(plasma(duration=2e-3))
+            job = server.submit(plasma(duration=2e-2))
             server.wait_until_running(job)
             server.kill_nine()
             part = server.data / "archives" / f"{job}.h5.part"
