@@ -11,12 +11,12 @@ often = ("--checkpoint-interval", "0.05")
 
 
 def plasma_case():
-    return plasma(duration=1.2e-2, output={"series_interval": 2e-5, "frame_interval": 2e-4},
+    return plasma(duration=2.4e-2, output={"series_interval": 2e-5, "frame_interval": 2e-4},
                   probes=[{"name": "across", "from": [5e-6, 0], "to": [5e-6, 10e-6], "points": 3}])
 
 
 def cell_case():
-    return plasma(duration=2e-3, vessel={"length": 40e-6, "diameter": 10e-6}, cells=[{"x": 10e-6, "y": 5e-6, "diameter": 5e-6}],
+    return plasma(duration=5e-3, vessel={"length": 40e-6, "diameter": 10e-6}, cells=[{"x": 10e-6, "y": 5e-6, "diameter": 5e-6}],
                   output={"series_interval": 2e-5, "frame_interval": 2e-4})
 
 
