@@ -30,10 +30,12 @@ for target in "${targets[@]}"; do
   grep -qx "$target" <<<"$known" || fail "no target is called $target; there are: ${known//$'\n'/, }"
 done
 
-if ! command -v clang++-14 >/dev/null; then
+stage "packages"
+"$repository/deploy/install"
+if ! dpkg-query -W clang-16 libclang-rt-16-dev >/dev/null 2>&1; then
   root=()
   [[ $(id -u) -eq 0 ]] || root=(sudo)
-  "${root[@]}" apt-get install --yes --no-install-recommends clang-14
+  "${root[@]}" apt-get install --yes --no-install-recommends clang-16 libclang-rt-16-dev
 fi
 stage "build"
 build fuzz "${targets[*]/#/fuzz_}"
@@ -45,7 +47,7 @@ for target in "${targets[@]}"; do
   stage "$target"
   mkdir -p "$out/corpus/$target"
   UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 "$out/bin/fuzz_$target" -max_total_time=$((60 * minutes)) \
-    -max_len=4096 -timeout=30 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=1 \
+    -max_len=4096 -timeout=30 -rss_limit_mb=4096 -verbosity=0 -print_funcs=0 -print_final_stats=1 \
     -artifact_prefix="$out/findings/$target-" "$out/corpus/$target" "$repository/tests/fuzz/corpus/$target" ||
     failed=1
 done
