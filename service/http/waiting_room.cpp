@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <netdb.h>
-#include <netinet/in.h>
-#include <netinet/tcp.h>
 #include <optional>
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
-#include <sys/socket.h>
 #include <system_error>
+
+#include "service/http/arrival.h"
 
 namespace rouleau::service {
 
@@ -26,13 +24,6 @@ constexpr std::chrono::seconds grace{2};
 int checked(int result, const char* what) {
   if (result < 0) throw std::system_error(errno, std::generic_category(), what);
   return result;
-}
-
-std::string numeric_host(const sockaddr_storage& address, socklen_t length) {
-  std::array<char, NI_MAXHOST> host{};
-  const auto* const generic = reinterpret_cast<const sockaddr*>(&address);
-  if (::getnameinfo(generic, length, host.data(), host.size(), nullptr, 0, NI_NUMERICHOST) != 0) return {};
-  return host.data();
 }
 
 }  // namespace
@@ -109,21 +100,14 @@ void WaitingRoom::wake() {
 
 void WaitingRoom::let_in(int listener) {
   for (int i = 0; i < most_let_in_at_once; ++i) {
-    sockaddr_storage address{};
-    socklen_t length = sizeof(address);
-    const int descriptor =
-        ::accept4(listener, reinterpret_cast<sockaddr*>(&address), &length, SOCK_NONBLOCK | SOCK_CLOEXEC);
-    if (descriptor >= 0) {
-      const int yes = 1;
-      ::setsockopt(descriptor, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof(yes));
-      greet(descriptor, numeric_host(address, length));
-    } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
-      // The next would fail as well: only once some time has passed is it tried again.
+    const Arrival arrival = next_arrival(listener);
+    if (arrival.kind == Arrival::Kind::no_descriptors) {
+      // Only once some time has passed is it tried again.
       door_is_stuck_ = true;
       return;
-    } else if (errno != EINTR && errno != ECONNABORTED) {
-      break;
     }
+    if (arrival.kind == Arrival::Kind::nobody) break;
+    greet(arrival.descriptor, arrival.address);
   }
   wait_for(listener, EPOLLIN);
 }
