@@ -49,10 +49,18 @@ void leave_tombstone(Connection& database, std::string_view id, TimeMs now) {
   insert.exec();
 }
 
-void forget(Connection& database, std::string_view id) {
+void forget_job(Connection& database, std::string_view id) {
   Prepared erase(database, "DELETE FROM jobs WHERE id = ?");
   erase.bind(1, std::string(id));
   erase.exec();
+}
+
+/// @return false: it still has jobs
+bool forget_empty_sweep(Connection& database, const std::string& id) {
+  Prepared erase(database,
+                 "DELETE FROM sweeps WHERE id = ?1 AND NOT EXISTS (SELECT 1 FROM jobs WHERE sweep = ?1)");
+  erase.bind(1, id);
+  return erase.exec() > 0;
 }
 
 }  // namespace
@@ -96,8 +104,13 @@ std::optional<Removed> JobStore::remove(std::string_view id, Removal how) {
     if (!has_ended(job->state)) throw InvalidTransition(job->state);
     Removed removed;
     if (job->archive_id && !is_shared(db, *job->archive_id, id)) removed.archive_id = job->archive_id;
-    forget(db, id);
-    if (how == Removal::expired) leave_tombstone(db, id, parts_->clock());
+    forget_job(db, id);
+    const bool sweep_goes = job->place && forget_empty_sweep(db, job->place->sweep);
+    if (how == Removal::expired) {
+      const TimeMs now = parts_->clock();
+      leave_tombstone(db, id, now);
+      if (sweep_goes) leave_tombstone(db, job->place->sweep, now);
+    }
     return removed;
   });
 }

@@ -50,6 +50,11 @@ class JobStore {
   /// @throws IdempotencyMismatch
   Submission submit(NewJob job, const std::optional<IdempotencyKey>& key = {});
 
+  /// What was answered to the request that used this key before, if one did.
+  /// @throws IdempotencyMismatch
+  std::optional<Submission> find_submission(const IdempotencyKey& key);
+  std::optional<SweepSubmission> find_sweep_submission(const IdempotencyKey& key);
+
   /// Keys that were used before this time may be used for something else.
   int forget_keys(TimeMs before);
 
@@ -57,7 +62,7 @@ class JobStore {
   std::optional<CaseText> case_text(std::string_view id);
   JobPage list(const JobQuery& query);
   QueueState queue_state();
-  /// Whether a job of this id was removed to make room.
+  /// Whether a job or a sweep of this id was removed to make room.
   bool has_expired(std::string_view id);
 
   /// The job whose turn it is, if any: of the highest priority, of the lane that was served longest ago, the
@@ -92,7 +97,8 @@ class JobStore {
   std::optional<Job> retry(std::string_view id);
 
   enum class Removal { asked_for, expired };
-  /// Forgets a job that has ended, or none if there is no such job. If it `expired`, its id is remembered.
+  /// Forgets a job that has ended, or none if there is no such job; with the last of its jobs a sweep goes,
+  /// too. If it `expired`, its id is remembered.
   /// @throws InvalidTransition
   std::optional<Removed> remove(std::string_view id, Removal how = Removal::asked_for);
 

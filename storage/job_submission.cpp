@@ -17,6 +17,12 @@ void insert_inputs(Connection& database, const std::string& id, const NewJob& su
   inputs.exec();
 }
 
+std::optional<Submission> job_of(Connection& database, const IdempotencyKey& key) {
+  const auto id = find_keyed(database, key, "job");
+  if (!id) return std::nullopt;
+  return Submission{select_job(database, *id).value(), true};
+}
+
 }  // namespace
 
 std::string insert_job(Connection& database, const NewJob& submitted, UuidSource& ids, TimeMs now) {
@@ -74,10 +80,14 @@ void keep_key(Connection& database, const IdempotencyKey& key, const char* colum
   insert.exec();
 }
 
+std::optional<Submission> JobStore::find_submission(const IdempotencyKey& key) {
+  return parts_->readers.run([&](Connection& db) { return job_of(db, key); });
+}
+
 Submission JobStore::submit(NewJob submitted, const std::optional<IdempotencyKey>& key) {
   return parts_->writer.run([&](Connection& db) {
     if (key) {
-      if (const auto id = find_keyed(db, *key, "job")) return Submission{select_job(db, *id).value(), true};
+      if (auto earlier = job_of(db, *key)) return std::move(*earlier);
     }
     const TimeMs now = parts_->clock();
     const std::string id = insert_job(db, submitted, parts_->ids, now);

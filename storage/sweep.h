@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +28,11 @@ struct Sweep {
   TimeMs created_at = 0;
   std::string given;
   std::map<JobState, std::int64_t> counts;  ///< of its jobs; one entry a state, zeros too
+
+  std::int64_t jobs() const {
+    return std::accumulate(counts.begin(), counts.end(), std::int64_t{0},
+                           [](std::int64_t sum, const auto& entry) { return sum + entry.second; });
+  }
 };
 
 struct SweepSubmission {

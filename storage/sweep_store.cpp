@@ -45,6 +45,12 @@ std::optional<Sweep> select_sweep(Connection& database, std::string_view id) {
   return sweep;
 }
 
+std::optional<SweepSubmission> sweep_of(Connection& database, const IdempotencyKey& key) {
+  const auto id = find_keyed(database, key, "sweep");
+  if (!id) return std::nullopt;
+  return SweepSubmission{select_sweep(database, *id).value(), true};
+}
+
 void insert_sweep(Connection& database, const std::string& id, const NewSweep& submitted, TimeMs now) {
   Prepared insert(database,
                   "INSERT INTO sweeps (id, name, labels, lane, priority, given, created_at) "
@@ -75,13 +81,15 @@ CancelledJobs begun_jobs(Connection& database, std::string_view sweep) {
 
 }  // namespace
 
+std::optional<SweepSubmission> JobStore::find_sweep_submission(const IdempotencyKey& key) {
+  return parts_->readers.run([&](Connection& db) { return sweep_of(db, key); });
+}
+
 SweepSubmission JobStore::submit_sweep(const NewSweep& submitted, std::vector<NewJob> jobs,
                                        const std::optional<IdempotencyKey>& key) {
   return parts_->writer.run([&](Connection& db) {
     if (key) {
-      if (const auto id = find_keyed(db, *key, "sweep")) {
-        return SweepSubmission{select_sweep(db, *id).value(), true};
-      }
+      if (auto earlier = sweep_of(db, *key)) return std::move(*earlier);
     }
     const TimeMs now = parts_->clock();
     const std::string id = parts_->ids.next(now);

@@ -6,6 +6,7 @@
 #include "service/api/new_job.h"
 #include "service/api/query.h"
 #include "service/api/service.h"
+#include "service/api/store_problems.h"
 #include "service/http/guarded_server.h"
 #include "service/http/problem.h"
 #include "service/log.h"
@@ -14,15 +15,17 @@ namespace rouleau::service {
 
 namespace {
 
-storage::Submission store(Service& service, storage::NewJob job,
+/// What was answered before to a request with this key is answered again whatever has become of the queue.
+storage::Submission store(Service& service, const Call& call,
                           const std::optional<storage::IdempotencyKey>& key) {
-  try {
-    return service.store.submit(std::move(job), key);
-  } catch (const storage::IdempotencyMismatch& error) {
-    throw Problem(problems::idempotency_mismatch, error.what());
-  } catch (const storage::StoreError& error) {
-    throw Problem(problems::unavailable, error.what());
-  }
+  return submitted([&] {
+    if (key) {
+      if (auto earlier = service.store.find_submission(*key)) return std::move(*earlier);
+    }
+    storage::NewJob wanted = read_new_job(call, service.machine);
+    service.room.enter(1);
+    return service.store.submit(std::move(wanted), key);
+  });
 }
 
 /// A job as it was when it had just been submitted.
@@ -48,9 +51,7 @@ void submit(Service& service, const Call& call, httplib::Response& response) {
   check_query(call, {});
   const auto key = idempotency_key(call);
   const KeysInFlight::Hold hold(service.keys, key);
-  storage::NewJob wanted = read_new_job(call, service.machine);
-  service.room.enter(1);
-  auto [job, replayed] = store(service, std::move(wanted), key);
+  auto [job, replayed] = store(service, call, key);
   if (replayed) {
     job = as_submitted(std::move(job));
     response.set_header("Idempotency-Replayed", "true");
@@ -101,14 +102,7 @@ storage::JobQuery read_list_query(const Call& call) {
 
 void list(Service& service, const Call& call, httplib::Response& response) {
   const storage::JobQuery wanted = read_list_query(call);
-  storage::JobPage page;
-  try {
-    page = service.store.list(wanted);
-  } catch (const storage::StoreError& error) {
-    if (error.kind() != storage::StoreError::Kind::invalid_argument) throw;
-    throw Problem(problems::invalid_request, "the query is not valid",
-                  {{"?page_token", "not a token that this server gave out"}});
-  }
+  const storage::JobPage page = listed([&] { return service.store.list(wanted); });
   nlohmann::json body{{"jobs", nlohmann::json::array()}};
   for (const storage::Job& job : page.jobs) body["jobs"].push_back(to_json(job, service.queue.live()));
   if (page.next_page_token) body["next_page_token"] = *page.next_page_token;

@@ -21,9 +21,12 @@ namespace rouleau::service {
 namespace {
 
 storage::Sweep find(Service& service, const Call& call) {
-  auto sweep = service.store.find_sweep(call.part("id"));
-  if (!sweep) throw Problem(problems::not_found, "no sweep has this id");
-  return *sweep;
+  const std::string& id = call.part("id");
+  if (auto sweep = service.store.find_sweep(id)) return std::move(*sweep);
+  if (service.store.has_expired(id)) {
+    throw Problem(problems::expired, "all jobs of the sweep were removed to make room for others");
+  }
+  throw Problem(problems::not_found, "no sweep has this id");
 }
 
 /// Until no job of it is active, or the time is up.

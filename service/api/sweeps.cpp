@@ -9,6 +9,7 @@
 #include "service/api/new_job.h"
 #include "service/api/query.h"
 #include "service/api/service.h"
+#include "service/api/store_problems.h"
 #include "service/api/sweep_json.h"
 #include "service/case_hash.h"
 #include "service/http/guarded_server.h"
@@ -37,24 +38,8 @@ std::vector<storage::NewJob> jobs_of(const SweepBody& body, const storage::NewJo
   return jobs;
 }
 
-storage::SweepSubmission store(Service& service, const storage::NewSweep& sweep,
-                               std::vector<storage::NewJob> jobs,
-                               const std::optional<storage::IdempotencyKey>& key) {
-  try {
-    return service.store.submit_sweep(sweep, std::move(jobs), key);
-  } catch (const storage::IdempotencyMismatch& error) {
-    throw Problem(problems::idempotency_mismatch, error.what());
-  } catch (const storage::StoreError& error) {
-    throw Problem(problems::unavailable, error.what());
-  }
-}
-
-void submit(Service& service, const Call& call, httplib::Response& response) {
-  if (service.draining)
-    throw Problem(problems::draining, "no new jobs are taken while the server shuts down");
-  check_query(call, {});
-  const auto key = idempotency_key(call);
-  const KeysInFlight::Hold hold(service.keys, key);
+storage::SweepSubmission store_new(Service& service, const Call& call,
+                                   const std::optional<storage::IdempotencyKey>& key) {
   const nlohmann::json document = read_body(call.request.body);
   std::vector<Fault> faults;
   storage::NewJob settings = read_job_settings(document, faults);
@@ -63,10 +48,28 @@ void submit(Service& service, const Call& call, httplib::Response& response) {
   settings.lane = lane_of(call.caller, settings.labels);
   std::vector<storage::NewJob> jobs = jobs_of(body, settings);
   service.room.enter(static_cast<std::int64_t>(jobs.size()));
+  return service.store.submit_sweep(
+      {body.name, settings.labels, settings.lane, settings.priority, dump(document)}, std::move(jobs), key);
+}
 
-  const auto [sweep, replayed] =
-      store(service, {body.name, settings.labels, settings.lane, settings.priority, dump(document)},
-            std::move(jobs), key);
+/// What was answered before to a request with this key is answered again whatever has become of the queue.
+storage::SweepSubmission store(Service& service, const Call& call,
+                               const std::optional<storage::IdempotencyKey>& key) {
+  return submitted([&] {
+    if (key) {
+      if (auto earlier = service.store.find_sweep_submission(*key)) return std::move(*earlier);
+    }
+    return store_new(service, call, key);
+  });
+}
+
+void submit(Service& service, const Call& call, httplib::Response& response) {
+  if (service.draining)
+    throw Problem(problems::draining, "no new jobs are taken while the server shuts down");
+  check_query(call, {});
+  const auto key = idempotency_key(call);
+  const KeysInFlight::Hold hold(service.keys, key);
+  const auto [sweep, replayed] = store(service, call, key);
   if (replayed) {
     response.set_header("Idempotency-Replayed", "true");
   } else {
@@ -75,7 +78,7 @@ void submit(Service& service, const Call& call, httplib::Response& response) {
                                  {"caller", call.caller},
                                  {"sweep", sweep.id},
                                  {"name", sweep.name},
-                                 {"jobs", std::to_string(body.points)}});
+                                 {"jobs", std::to_string(sweep.jobs())}});
   }
   response.set_header("Location", "/v1/sweeps/" + sweep.id);
   response.set_header("Retry-After", "1");
@@ -85,14 +88,8 @@ void submit(Service& service, const Call& call, httplib::Response& response) {
 void list(Service& service, const Call& call, httplib::Response& response) {
   check_query(call, {"page_size", "page_token"});
   const int page_size = query_integer(call, "page_size", 1, 1000).value_or(50);
-  storage::SweepPage page;
-  try {
-    page = service.store.list_sweeps(page_size, query(call, "page_token").value_or(""));
-  } catch (const storage::StoreError& error) {
-    if (error.kind() != storage::StoreError::Kind::invalid_argument) throw;
-    throw Problem(problems::invalid_request, "the query is not valid",
-                  {{"?page_token", "not a token that this server gave out"}});
-  }
+  const std::string page_token = query(call, "page_token").value_or("");
+  const storage::SweepPage page = listed([&] { return service.store.list_sweeps(page_size, page_token); });
   nlohmann::json body{{"sweeps", nlohmann::json::array()}};
   for (const storage::Sweep& sweep : page.sweeps) body["sweeps"].push_back(to_json(sweep));
   if (page.next_page_token) body["next_page_token"] = *page.next_page_token;

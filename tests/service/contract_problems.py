@@ -264,16 +264,22 @@ def _(world, folder):
             return server.get(f"/v1/jobs/{job_id}/events")
 
 
-@provoke("expired")
-def _(world, folder):
+@contextlib.contextmanager
+def server_that_removed(folder, job_id):
     """What is removed by age leaves its id behind."""
     with another_server(folder) as server:
         server.terminate()
         store = sqlite3.connect(server.data / "jobs.sqlite")
-        store.execute("INSERT INTO removed_jobs VALUES (?, 0)", (nowhere,))
+        store.execute("INSERT INTO removed_jobs VALUES (?, 0)", (job_id,))
         store.commit()
         store.close()
         server.start()
+        yield server
+
+
+@provoke("expired")
+def _(world, folder):
+    with server_that_removed(folder, nowhere) as server:
         return server.get(f"/v1/jobs/{nowhere}")
 
 

@@ -9,9 +9,9 @@ import re
 
 import jsonschema
 import pytest
-from contract_calls import World, calls
+from contract_calls import World, calls, nowhere
 from contract_description import load
-from contract_problems import catalogue, provocations
+from contract_problems import catalogue, provocations, server_that_removed
 
 # What only a fault of the server itself brings about.
 beyond_a_test = {"internal"}
@@ -45,6 +45,16 @@ def test_an_operation_answers_as_it_is_described(world, description, name):
     given = {str(answer.status) for answer in answers}
     sound = {status for status in description.operations()[name][2]["responses"] if status < "400"}
     assert sound <= given, f"{name} is said to answer {sound - given}, too"
+
+
+def test_what_was_removed_is_answered_so_as_described(description, tmp_path):
+    with server_that_removed(tmp_path, nowhere) as server:
+        for name, (path, method, _) in description.operations().items():
+            if not re.match(r"/v1/(jobs|sweeps)/\{id\}", path):
+                continue
+            answer = server.request(method.upper(), re.sub(r"\{\w+\}", "0", path.replace("{id}", nowhere)))
+            assert answer.status == 410, name
+            description.check(name, answer)
 
 
 def test_every_example_is_taken(server, description):

@@ -109,6 +109,18 @@ def test_a_full_queue_says_so(tmp_path):
         assert int(answer.headers["Retry-After"]) > 0
 
 
+def test_what_was_accepted_is_answered_again_while_the_queue_is_full(tmp_path):
+    with Server(tmp_path / "data", arguments=["--max-queued", "2"]) as server:
+        server.request("POST", "/v1/queue:pause")
+        job = submit(server, plasma(), "job-1")
+        body = {"case": plasma(duration=2e-4), "axes": [{"pointer": "/duration", "values": [2e-4]}]}
+        sweep = server.request("POST", "/v1/sweeps", body, {"Idempotency-Key": "sweep-1"})
+        assert submit(server, plasma(duration=3e-4)).status == 503
+        assert submit(server, plasma(), "job-1").json() == job.json()
+        again = server.request("POST", "/v1/sweeps", body, {"Idempotency-Key": "sweep-1"})
+        assert (again.status, again.json()["id"]) == (202, sweep.json()["id"])
+
+
 def test_lanes_take_turns(tmp_path):
     with Server(tmp_path / "data", workers=1) as server:
         server.request("POST", "/v1/queue:pause")

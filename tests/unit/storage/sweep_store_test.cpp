@@ -87,6 +87,23 @@ TEST(SweepStore, AKeyAnswersWithTheSameSweep) {
   EXPECT_THROW(store.submit(plain_job(), other), IdempotencyMismatch);
 }
 
+TEST(SweepStore, ASweepGoesWithTheLastOfItsJobs) {
+  const ScratchFolder folder;
+  JobStore store(folder.path());
+  for (const auto how : {JobStore::Removal::asked_for, JobStore::Removal::expired}) {
+    const std::string id =
+        store.submit_sweep(plain_sweep(), jobs(2), IdempotencyKey{"me", "key", std::string(64, 'f')})
+            .sweep.id;
+    store.request_cancel_sweep(id);
+    const auto members = store.sweep_jobs(id, false);
+    store.remove(members[0].id, how);
+    EXPECT_TRUE(store.find_sweep(id));
+    store.remove(members[1].id, how);
+    EXPECT_FALSE(store.find_sweep(id));
+    EXPECT_EQ(store.has_expired(id), how == JobStore::Removal::expired);
+  }
+}
+
 TEST(SweepStore, CancellingEndsWhatWaitsAndNamesWhatRuns) {
   const ScratchFolder folder;
   JobStore store(folder.path());
