@@ -109,9 +109,10 @@ RateLimit rate_limit(const ServeOptions& options) {
 }
 
 /// Those in use stay if the file cannot be read.
-void read_tokens_again(const std::filesystem::path& file, Access& access) {
+void read_tokens_again(const std::filesystem::path& file, Access& access, Streams& streams) {
   try {
     access.replace_tokens(read_tokens(file));
+    ++streams.epoch;
     log::info("tokens read again", {{"file", file.string()}});
   } catch (const std::exception& error) {
     log::error("the tokens in use stay", {{"error", error.what()}});
@@ -119,11 +120,11 @@ void read_tokens_again(const std::filesystem::path& file, Access& access) {
 }
 
 /// Waits for the signal that ends the service.
-int serve_until_signal(const ServeOptions& options, Access& access) {
+int serve_until_signal(const ServeOptions& options, Access& access, Streams& streams) {
   for (;;) {
     const int signal = wait_for_interrupt();
     if (signal != SIGHUP || options.token_file.empty()) return signal;
-    read_tokens_again(options.token_file, access);
+    read_tokens_again(options.token_file, access, streams);
   }
 }
 
@@ -203,7 +204,7 @@ void serve(const ServeOptions& options) {
     std::cout << "serving " << url << " with its data in " << options.data.string() << std::endl;
   }
 
-  const int signal = serve_until_signal(options, *access);
+  const int signal = serve_until_signal(options, *access, service.streams);
   log::info("draining", {{"signal", std::to_string(signal)}});
   draining = true;
   queue.drain();

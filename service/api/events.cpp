@@ -40,7 +40,8 @@ class Stream {
   /// @return false once nobody listens
   bool work(httplib::DataSink& sink) {
     if (!sink.is_writable()) return false;
-    const bool ends = events_.over() || service_.draining || Clock::now() >= ends_at_;
+    const bool ends =
+        events_.over() || service_.draining || Clock::now() >= ends_at_ || service_.streams.epoch != epoch_;
     if (ends) {
       sink.done();
       return true;
@@ -64,6 +65,7 @@ class Stream {
   Service& service_;
   JobEvents events_;
   const Clock::time_point ends_at_;
+  const int epoch_ = service_.streams.epoch;
   Clock::time_point sent_at_ = Clock::now();
   Clock::time_point looked_at_;
   bool begun_ = false;

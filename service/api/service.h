@@ -23,6 +23,7 @@ struct Streams {
   std::chrono::milliseconds comment_interval{15000};  ///< so that a client which has gone is noticed
   std::chrono::milliseconds longest{3600000};         ///< then the client connects again
   std::atomic<int> open = 0;
+  std::atomic<int> epoch = 0;  ///< those begun in an earlier one end: whoever may still call connects again
 };
 
 /// What the resources of the API work on.

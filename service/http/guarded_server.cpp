@@ -203,12 +203,14 @@ void GuardedServer::serve(std::unique_ptr<Connection> connection) {
 
 bool GuardedServer::answer(Connection& connection) {
   served = &connection;
-  const auto give_back_range = [](httplib::Request& request) {
+  const auto mend = [](httplib::Request& request) {
+    const RequestHead& head = current().head;
+    request.params = query_of(head.target);
     request.headers.erase("Range");
-    request.set_header("Range", std::string(current().head.header("Range")));
+    request.set_header("Range", std::string(head.header("Range")));
   };
   bool closed_by_client = false;
-  const bool sent = process_request(connection, false, closed_by_client, give_back_range);
+  const bool sent = process_request(connection, false, closed_by_client, mend);
   if (closed_by_client) connection.end_after_answer();
   connection.end_exchange();
   served = nullptr;

@@ -48,8 +48,8 @@ void read_request_line(std::string_view line, const RequestLimits& limits, Reque
   head.method = line.substr(0, first);
   head.target = line.substr(first + 1, second - first - 1);
   head.version = line.substr(second + 1);
-  if (!is_token(head.method) || head.target.empty())
-    throw bad("the request line is not METHOD TARGET VERSION");
+  if (!is_token(head.method)) throw bad("the request line is not METHOD TARGET VERSION");
+  if (!head.target.starts_with('/')) throw bad("the target of a request begins with a slash");
   if (head.version != "HTTP/1.1" && head.version != "HTTP/1.0") throw bad("only HTTP/1.1 is spoken here");
   if (head.target.size() > limits.target_bytes) {
     throw Problem(problems::uri_too_long,
@@ -108,6 +108,23 @@ void check_host(const RequestHead& head) {
   if (head.header("Host").find('%') != std::string_view::npos) throw bad("Host is no host name");
 }
 
+/// With what %xx stands for.
+std::string decoded(std::string_view raw) {
+  std::string text;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    unsigned char byte = 0;
+    const auto digits = raw.substr(std::min(i + 1, raw.size()), 2);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+    if (raw[i] == '%' && digits.size() == 2 && error == std::errc{} && end == digits.data() + 2) {
+      text += static_cast<char>(byte);
+      i += 2;
+    } else {
+      text += raw[i];
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
@@ -134,7 +151,13 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
     if (first) {
       read_request_line(line, limits, head);
       first = false;
-    } else if (!line.empty()) {
+    } else if (line.empty()) {
+      if (!text.empty()) throw bad("the head goes on behind its blank line");
+    } else {
+      if (line.size() > limits.header_bytes) {
+        throw Problem(problems::headers_too_large,
+                      "at most " + std::to_string(limits.header_bytes) + " bytes of a header are read");
+      }
       read_header_line(line, head);
       if (head.headers.size() > limits.headers) {
         throw Problem(problems::headers_too_large,
@@ -149,20 +172,24 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
 }
 
 std::string path_of(std::string_view target) {
-  const std::string_view raw = target.substr(0, target.find_first_of("?#"));
-  std::string path;
-  for (std::size_t i = 0; i < raw.size(); ++i) {
-    unsigned char byte = 0;
-    const auto digits = raw.substr(std::min(i + 1, raw.size()), 2);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
-    if (raw[i] == '%' && digits.size() == 2 && error == std::errc{} && end == digits.data() + 2) {
-      path += static_cast<char>(byte);
-      i += 2;
-    } else {
-      path += raw[i];
-    }
+  return decoded(target.substr(0, target.find_first_of("?#")));
+}
+
+std::multimap<std::string, std::string> query_of(std::string_view target) {
+  std::multimap<std::string, std::string> parameters;
+  const auto mark = target.find('?');
+  std::string_view rest = mark == std::string_view::npos ? std::string_view{} : target.substr(mark + 1);
+  rest = rest.substr(0, rest.find('#'));
+  while (!rest.empty()) {
+    const std::string_view pair = rest.substr(0, rest.find('&'));
+    rest.remove_prefix(std::min(pair.size() + 1, rest.size()));
+    if (pair.empty()) continue;
+    const auto equals = std::min(pair.find('='), pair.size());
+    std::string value(pair.substr(std::min(equals + 1, pair.size())));
+    std::replace(value.begin(), value.end(), '+', ' ');
+    parameters.emplace(decoded(pair.substr(0, equals)), decoded(value));
   }
-  return path;
+  return parameters;
 }
 
 std::string head_for_httplib(const RequestHead& head) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@ struct RequestLimits {
   std::size_t head_bytes = 16384;
   std::size_t headers = 64;
   std::size_t target_bytes = 4096;
+  std::size_t header_bytes = 8000;  ///< of one; cpp-httplib 0.11.4 gives up beyond 8192
   std::size_t body_bytes = 1 << 20;
 };
 
@@ -39,8 +41,12 @@ RequestHead read_request_head(std::string_view text, const RequestLimits& limits
 /// `Content-Length` wherever it would otherwise read to the end of the connection.
 std::string head_for_httplib(const RequestHead& head);
 
-/// The path that a target names, %xx decoded; nothing but a path is decoded so.
+/// The path that a target names, %xx decoded.
 std::string path_of(std::string_view target);
+
+/// The parameters of its query, decoded; a value may hold an equals sign, which cpp-httplib 0.11.4 would cut
+/// it at.
+std::multimap<std::string, std::string> query_of(std::string_view target);
 
 bool equal_ignoring_case(std::string_view a, std::string_view b);
 

@@ -8,9 +8,10 @@ namespace rouleau::service {
 
 namespace {
 
+/// @param path begins with a slash
 std::vector<std::string> split(std::string_view path) {
   std::vector<std::string> segments;
-  if (!path.empty() && path.front() == '/') path.remove_prefix(1);
+  path.remove_prefix(1);
   for (;;) {
     const auto slash = path.find('/');
     segments.emplace_back(path.substr(0, slash));
@@ -53,6 +54,7 @@ void Router::add(const std::string& method, std::string_view pattern, Handler ha
 
 Router::Match Router::find(std::string_view method, std::string_view path) const {
   Match match;
+  if (!path.starts_with('/')) return match;
   const auto segments = split(path);
   const std::string_view wanted = method == "HEAD" ? "GET" : method;
   for (const Route& route : routes_) {

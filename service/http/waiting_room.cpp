@@ -74,7 +74,7 @@ void WaitingRoom::run(int listener) {
     if (stopping) {
       close_those_that_wait();
       if (!give_up) give_up = now + grace;
-      if (away_ == 0 && (guests_.empty() || now >= *give_up)) break;
+      if (away_.empty() && (guests_.empty() || now >= *give_up)) break;
     }
   }
   while (!guests_.empty()) close(guests_.begin()->first);
@@ -136,7 +136,9 @@ void WaitingRoom::settle_returned() {
     returned.swap(returned_);
   }
   for (auto& [connection, usable] : returned) {
-    --away_;
+    const auto away = away_.find(connection.get());
+    held_by_away_ -= away->second;
+    away_.erase(away);
     if (!usable) {
       forget(*connection);
       continue;
@@ -190,9 +192,16 @@ void WaitingRoom::proceed(int descriptor, Guest& guest) {
 }
 
 void WaitingRoom::hand_over(int descriptor, Guest& guest) {
+  const std::size_t held = guest.connection->held_bytes();
+  const bool is_request = guest.phase != Phase::answer;
+  if (is_request && held_by_away_ + held > limits_.held_bytes) {
+    refuse(descriptor, guest, Problem(problems::unavailable, "more requests wait than the server can hold"));
+    return;
+  }
   auto connection = std::move(guest.connection);
   guests_.erase(descriptor);
-  ++away_;
+  held_by_away_ += held;
+  away_.emplace(connection.get(), held);
   reception_.serve(std::move(connection));
 }
 
@@ -280,13 +289,14 @@ void WaitingRoom::expire(Clock::time_point now) {
 }
 
 void WaitingRoom::spare_memory() {
-  std::size_t held = 0;
+  std::size_t held = held_by_away_;
   for (const auto& [descriptor, guest] : guests_) held += guest.connection->held_bytes();
-  while (held > limits_.held_bytes) {
+  while (held > limits_.held_bytes && !guests_.empty()) {
     const auto largest =
         std::max_element(guests_.begin(), guests_.end(), [](const auto& left, const auto& right) {
           return left.second.connection->held_bytes() < right.second.connection->held_bytes();
         });
+    if (largest->second.connection->held_bytes() == 0) return;
     held -= largest->second.connection->held_bytes();
     close(largest->first);
   }

@@ -95,8 +95,10 @@ class WaitingRoom {
   std::unordered_map<int, Guest> guests_;
   std::map<std::string, std::size_t> of_address_;
   std::atomic<std::size_t> connections_ = 0;
-  std::size_t away_ = 0;        ///< being served
-  bool door_is_stuck_ = false;  ///< no connection can be accepted for want of descriptors
+  std::unordered_map<const Connection*, std::size_t>
+      away_;                      ///< being served, and what they held when they went
+  std::size_t held_by_away_ = 0;  ///< bytes
+  bool door_is_stuck_ = false;    ///< no connection can be accepted for want of descriptors
 
   std::mutex mutex_;
   std::vector<std::pair<std::unique_ptr<Connection>, bool>> returned_;

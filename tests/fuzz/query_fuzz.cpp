@@ -43,9 +43,7 @@ class Api {
     request.method = "GET";
     request.target = target;
     request.path = service::path_of(target);
-    if (const auto mark = target.find('?'); mark != std::string::npos) {
-      httplib::detail::parse_query_text(target.substr(mark + 1), request.params);
-    }
+    request.params = service::query_of(target);
     httplib::Response response;
     match.route->handler(service::Call{request, match.parts, "", ""}, response);
   }

@@ -2,11 +2,12 @@
 
 import json
 import signal
+import socket
 import subprocess
 import time
 
 import pytest
-from rouleau_server import Server, plasma
+from rouleau_server import Server, endless, plasma
 
 
 def new_token(binary, name, scopes):
@@ -77,6 +78,9 @@ def test_the_api_wants_a_token(guarded, tokens):
     assert guarded.get("/%76%31/jobs").status == 401, "the same path, written otherwise"
     assert guarded.get("/v1/jobs", Authorization="Bearer " + tokens.tokens["reader"][:-1]).status == 401
     assert guarded.get("/v1/nothing").status == 401
+    for target in ("v1/queue", "x/v1/queue", "http://localhost/v1/queue", "*", "?/v1/queue"):
+        answer = guarded.raw(f"POST {target}:pause HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n")
+        assert b" 400 " in answer.splitlines()[0], target
     assert guarded.get("/v1/jobs", **tokens.bearer("reader")).status == 200
 
 
@@ -100,7 +104,7 @@ def test_each_token_may_do_what_its_scopes_say(guarded, tokens, method, path, ne
 
 
 def test_tokens_are_read_again(tmp_path, server):
-    first, first_line = new_token(server.binary, "first", "read")
+    first, first_line = new_token(server.binary, "first", "read,submit")
     second, second_line = new_token(server.binary, "second", "read")
     file = tmp_path / "tokens"
     file.write_text(first_line + "\n")
@@ -113,6 +117,10 @@ def test_tokens_are_read_again(tmp_path, server):
 
     with Server(tmp_path / "data", arguments=["--token-file", str(file)]) as guarded:
         assert guarded.get("/v1/jobs", Authorization=f"Bearer {second}").status == 401
+        job_id = guarded.request("POST", "/v1/jobs", {"case": endless()}, {"Authorization": f"Bearer {first}"}).json()["id"]
+        stream = socket.create_connection(("127.0.0.1", guarded.port), timeout=20)
+        stream.sendall(f"GET /v1/jobs/{job_id}/events HTTP/1.1\r\nHost: localhost\r\n"
+                       f"Connection: close\r\nAuthorization: Bearer {first}\r\n\r\n".encode())
         file.write_text("nonsense\n")
         guarded.process.send_signal(signal.SIGHUP)
         wait_for(guarded, "the tokens in use stay")
@@ -122,6 +130,9 @@ def test_tokens_are_read_again(tmp_path, server):
         wait_for(guarded, "tokens read again")
         assert guarded.get("/v1/jobs", Authorization=f"Bearer {first}").status == 401
         assert guarded.get("/v1/jobs", Authorization=f"Bearer {second}").status == 200
+        with stream:
+            while stream.recv(65536):
+                pass  # until it is closed: whoever may still read connects again
 
 
 def test_the_log_names_the_caller_and_never_a_token(guarded, tokens):

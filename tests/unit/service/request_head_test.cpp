@@ -59,12 +59,18 @@ TEST(RequestHead, RefusesWhatIsTooLarge) {
   EXPECT_EQ(status_of(head("GET /" + std::string(20, 'a') + " HTTP/1.1", ""), limits), 414);
 }
 
+TEST(RequestHead, RefusesAHeaderThatIsTooLong) {
+  EXPECT_EQ(status_of(head("GET / HTTP/1.1", "Cookie: " + std::string(7000, 'x') + "\r\n")), 0);
+  EXPECT_EQ(status_of(head("GET / HTTP/1.1", "Cookie: " + std::string(9000, 'x') + "\r\n")), 431);
+}
+
 TEST(RequestHead, RefusesCompressedBodies) {
   EXPECT_EQ(status_of(head("POST / HTTP/1.1", "Content-Length: 5\r\nContent-Encoding: gzip\r\n")), 415);
   EXPECT_EQ(status_of(head("POST / HTTP/1.1", "Content-Length: 5\r\nContent-Encoding: identity\r\n")), 0);
 }
 
 TEST(RequestHead, RefusesWhatIsNotHttp) {
+  EXPECT_EQ(status_of(head("GET / HTTP/1.1", "A: 1\r\n\r\nB: 2\r\n")), 400);
   EXPECT_EQ(status_of("GET /\r\nHost: a\r\n\r\n"), 400);
   EXPECT_EQ(status_of("GET / HTTP/2\r\nHost: a\r\n\r\n"), 400);
   EXPECT_EQ(status_of("GET  / HTTP/1.1\r\nHost: a\r\n\r\n"), 400);
@@ -83,6 +89,21 @@ TEST(HeadForHttplib, HidesRangesAndSaysHowLongABodyIs) {
   EXPECT_EQ(head_for_httplib(read), "GET /a HTTP/1.1\r\nHost: localhost\r\n\r\n");
   read = read_request_head(head("POST /a HTTP/1.1", ""), {});
   EXPECT_EQ(head_for_httplib(read), "POST /a HTTP/1.1\r\nHost: localhost\r\nContent-Length: 0\r\n\r\n");
+}
+
+TEST(RequestHead, TakesOnlyTargetsOfThisServer) {
+  for (const char* target : {"v1/jobs", "*", "http://localhost/v1/jobs", "?/v1"}) {
+    EXPECT_EQ(status_of(head("GET " + std::string(target) + " HTTP/1.1", "")), 400) << target;
+  }
+}
+
+TEST(Query, IsWhatTheTargetAsksDecodedOnce) {
+  using Parameters = std::multimap<std::string, std::string>;
+  EXPECT_EQ(query_of("/a?label=k:a=b&state=queued&state=failed#c?d=e"),
+            (Parameters{{"label", "k:a=b"}, {"state", "queued"}, {"state", "failed"}}));
+  EXPECT_EQ(query_of("/a?x=1+2%2B3%253&&%79"), (Parameters{{"x", "1 2+3%3"}, {"y", ""}}));
+  EXPECT_TRUE(query_of("/a").empty());
+  EXPECT_TRUE(query_of("/a?").empty());
 }
 
 TEST(Path, IsWhatTheTargetNamesDecodedOnce) {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <deque>
+#include <gmock/gmock.h>
 #include <memory>
 #include <netinet/in.h>
 #include <poll.h>
@@ -197,6 +198,34 @@ TEST(WaitingRoom, KeepsNoMoreThanItMay) {
       std::string(500000, ' '));
   EXPECT_EQ(sends_much.read_all(), "");
   EXPECT_EQ(server.client().Get("/hello")->body, "good day");
+}
+
+TEST(WaitingRoom, HoldsNoMoreRequestsThatWaitForAThread) {
+  std::atomic<bool> may_answer = false;
+  Router router = example();
+  router.add("GET", "/later", [&](const Call&, httplib::Response& response) {
+    may_answer.wait(false);
+    response.set_content("late", "text/plain");
+  });
+  ServerSettings settings = with_one_thread();
+  settings.room.held_bytes = 300000;
+  const Listening server(std::move(router), settings);
+  const RawClient takes_the_thread(server.port());
+  takes_the_thread.send("GET /later HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  const std::string long_request =
+      "POST /length HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n"
+      "Content-Length: 100000\r\n\r\n" +
+      std::string(100000, ' ');
+  std::deque<RawClient> clients;
+  for (int k = 0; k < 4; ++k) clients.emplace_back(server.port()).send(long_request);
+  std::deque<bool> refused;
+  for (const RawClient& client : clients) refused.push_back(client.is_told_something(milliseconds(500)));
+  may_answer = true;
+  may_answer.notify_all();
+  for (std::size_t k = 0; k < clients.size(); ++k) {
+    EXPECT_NE(clients[k].read_to("\r\n").find(refused[k] ? " 503 " : " 200 "), std::string::npos);
+  }
+  EXPECT_THAT(refused, testing::AllOf(testing::Contains(true), testing::Contains(false)));
 }
 
 TEST(WaitingRoom, SaysToGoOnBeforeTheBodyOnlyToWhomItIsWelcome) {
