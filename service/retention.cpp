@@ -6,6 +6,7 @@
 
 #include "service/http/problem.h"
 #include "service/log.h"
+#include "service/queue/job_files.h"
 
 namespace rouleau::service {
 
@@ -75,19 +76,27 @@ int Retention::remove_the_old() {
 }
 
 int Retention::make_room() {
-  const int removed = remove_while([&](const storage::EndedJob&) { return !lack_of_room().empty(); });
+  const int beyond = remove_while([&](const storage::EndedJob&) { return !lack_of_allowance().empty(); });
+  const int removed = beyond + remove_while([&](const storage::EndedJob&) { return !lack_of_disk().empty(); },
+                                            [&](const storage::EndedJob& job) { return frees_room(job); });
   archives_full_ = !lack_of_room().empty();
   return removed;
 }
 
-int Retention::remove_while(const std::function<bool(const storage::EndedJob&)>& is_to_go) {
+bool Retention::frees_room(const storage::EndedJob& job) const {
+  std::error_code gone;
+  return job.archive_id &&
+         std::filesystem::hard_link_count(archive_path(data_ / "archives", *job.archive_id), gone) == 1;
+}
+
+int Retention::remove_while(const Choice& is_to_go, const Choice& is_worth_it) {
   int removed = 0;
   std::optional<storage::EndedJob> last;
   while (true) {
     const auto jobs = store_.oldest_ended(jobs_at_a_time, last);
     for (const storage::EndedJob& job : jobs) {
       if (!is_to_go(job)) return removed;
-      if (job.archive_id && use_.in_use(*job.archive_id)) continue;
+      if (!is_worth_it(job) || (job.archive_id && use_.in_use(*job.archive_id))) continue;
       if (remove(job.id)) ++removed;
     }
     if (jobs.size() < static_cast<std::size_t>(jobs_at_a_time)) return removed;
@@ -108,6 +117,11 @@ bool Retention::remove(const std::string& id) {
 }
 
 std::string Retention::lack_of_room() const {
+  const std::string lack = lack_of_disk();
+  return lack.empty() ? lack_of_allowance() : lack;
+}
+
+std::string Retention::lack_of_disk() const {
   if (rules_.least_free_bytes > 0) {
     std::error_code unknown;
     const auto space = std::filesystem::space(data_, unknown);
@@ -116,6 +130,10 @@ std::string Retention::lack_of_room() const {
              megabytes(rules_.least_free_bytes) + " (--min-free)";
     }
   }
+  return {};
+}
+
+std::string Retention::lack_of_allowance() const {
   if (rules_.most_archive_bytes) {
     const auto bytes = static_cast<std::uint64_t>(store_.archive_bytes());
     if (bytes > *rules_.most_archive_bytes) {

@@ -51,12 +51,18 @@ class Retention {
   void keep_running();
   int remove_the_old();
   int make_room();
-  /// From the oldest on; what must stay is passed over.
+  using Choice = std::function<bool(const storage::EndedJob&)>;
+  /// From the oldest on, until one is not to go; what must stay, or is not worth removing, is passed over.
   /// @return how many were removed
-  int remove_while(const std::function<bool(const storage::EndedJob&)>& is_to_go);
+  int remove_while(
+      const Choice& is_to_go, const Choice& is_worth_it = [](const storage::EndedJob&) { return true; });
+  /// A hard link, such as that of a backup, keeps its bytes on the disk.
+  bool frees_room(const storage::EndedJob& job) const;
   bool remove(const std::string& id);
   /// What is wrong with the room, or nothing.
   std::string lack_of_room() const;
+  std::string lack_of_disk() const;
+  std::string lack_of_allowance() const;
 
   storage::JobStore& store_;
   const ArchiveUse use_;

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <optional>
 #include <set>
+#include <sqlite3.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -27,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* aside_name = "next.part";
+
 struct Archive {
   std::string id;
   std::uint64_t size = 0;
@@ -38,7 +41,14 @@ void copy_database(const fs::path& from, const fs::path& to) {
   fs::remove(to);
   SQLite::Database source = open_for_reading(from);
   SQLite::Database copy(to.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-  SQLite::Backup(copy, source).executeStep();
+  if (SQLite::Backup(copy, source).executeStep() != SQLITE_DONE) {
+    throw StoreError(StoreError::Kind::busy, from.string() + " is locked by another program; try again");
+  }
+  // Pages are copied as they are, also damaged ones.
+  if (const std::string state = copy.execAndGet("PRAGMA integrity_check").getString(); state != "ok") {
+    throw StoreError(StoreError::Kind::corrupt, from.string() + " is damaged (" + state +
+                                                    "); the backup stays as it was, see rouleau doctor");
+  }
   copy.exec("PRAGMA journal_mode = DELETE");
   migrate(copy);
 }
@@ -54,6 +64,34 @@ std::vector<Archive> archives_of(SQLite::Database& database) {
                         select.getColumn(2).getString()});
   }
   return archives;
+}
+
+/// A SHA-256 in hexadecimal digits.
+bool is_content_name(std::string_view name) {
+  return name.size() == 64 && name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+/// That a folder is empty or a backup, finished or not: a backup of it must not take away what else is there.
+void check_target(const fs::path& backup) {
+  if (fs::exists(manifest_path(backup))) {
+    read_manifest(backup);
+    return;
+  }
+  const std::set<std::string> ours{"files", "lock", aside_name,
+                                   manifest_path(backup).filename().string() + ".part"};
+  for (const auto& entry : fs::directory_iterator(backup)) {
+    if (ours.contains(entry.path().filename())) continue;
+    throw ArchiveError(ArchiveError::Kind::misuse, backup.string() + " holds " +
+                                                       entry.path().filename().string() +
+                                                       " and no backup; name a folder for the backup alone");
+  }
+  if (!fs::is_directory(backup / "files")) return;
+  for (const auto& entry : fs::directory_iterator(backup / "files")) {
+    if (is_content_name(entry.path().filename().string())) continue;
+    throw ArchiveError(ArchiveError::Kind::misuse,
+                       (backup / "files").string() + " holds " + entry.path().filename().string() +
+                           ", which no backup has; name a folder for the backup alone");
+  }
 }
 
 /// Puts contents into a backup under their own names.
@@ -92,7 +130,7 @@ class Collection {
     note(file);
   }
 
-  fs::path aside() const { return backup_ / "next.part"; }
+  fs::path aside() const { return backup_ / aside_name; }
   const std::vector<ManifestFile>& files() const { return files_; }
   const BackupReport& report() const { return report_; }
 
@@ -101,7 +139,8 @@ class Collection {
     std::set<std::string> needed;
     for (const ManifestFile& file : files_) needed.insert(file.sha256);
     for (const auto& entry : fs::directory_iterator(backup_ / "files")) {
-      if (!needed.contains(entry.path().filename().string())) fs::remove(entry.path());
+      const std::string name = entry.path().filename();
+      if (is_content_name(name) && !needed.contains(name)) fs::remove(entry.path());
     }
   }
 
@@ -109,7 +148,10 @@ class Collection {
   bool bring(const fs::path& source, const fs::path& content, const Archive& known) {
     std::error_code gone;
     if (fs::file_size(source, gone) != known.size || gone) return false;
-    if (links_ && ::link(source.c_str(), content.c_str()) == 0) return true;
+    if (links_) {
+      if (sha256_hex_of_file(source) != known.sha256) return false;
+      if (::link(source.c_str(), content.c_str()) == 0) return true;
+    }
     storage::copy(source, aside());
     if (sha256_hex_of_file(aside()) != known.sha256) return false;
     fs::rename(aside(), content);
@@ -207,6 +249,7 @@ BackupReport back_up(const fs::path& data, const fs::path& backup, bool links) {
   }
   try {
     fs::create_directories(backup);
+    check_target(backup);
     const FolderLock lock(backup);
     std::optional<Collection> collection(std::in_place, backup, links);
     Manifest manifest = collect(*collection, data);

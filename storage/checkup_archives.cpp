@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <SQLiteCpp/Statement.h>
 #include <nlohmann/json.hpp>
 
@@ -65,14 +67,34 @@ void give_up_archive(SQLite::Database& database, const Expected& archive, const 
   update.exec();
 }
 
+/// Several archives and not one of them there: rather a disk that is not mounted than so many losses.
+bool all_are_gone(const fs::path& data, const std::vector<Expected>& archives) {
+  return archives.size() > 1 && std::none_of(archives.begin(), archives.end(), [&](const Expected& archive) {
+           std::error_code unknown;
+           return fs::exists(data / "archives" / (archive.id + ".h5"), unknown) || unknown;
+         });
+}
+
 }  // namespace
 
 void examine_archives(Examination& examination) {
-  for (const Expected& expected : expected_archives(examination.database)) {
+  const std::vector<Expected> archives = expected_archives(examination.database);
+  if (all_are_gone(examination.data, archives)) {
+    examination.add(Kind::damage, "archives",
+                    "holds none of the " + std::to_string(archives.size()) + " archives that jobs have",
+                    "see that its disk is mounted, or restore a backup");
+    return;
+  }
+  for (const Expected& expected : archives) {
     const std::string name = "archives/" + expected.id + ".h5";
     const fs::path file = examination.data / name;
     ++examination.result.archives;
     examination.result.archive_bytes += expected.size;
+    std::error_code unreadable;
+    if (!fs::exists(file, unreadable) && unreadable) {
+      examination.add(Kind::damage, name, unreadable.message(), "see what is wrong with the disk");
+      continue;
+    }
     const std::string fault = fault_of(file, expected, examination.options.deep);
     if (!fault.empty()) {
       const std::string jobs = std::to_string(expected.jobs) + (expected.jobs == 1 ? " job" : " jobs");

@@ -27,17 +27,23 @@ Ids ids_of(SQLite::Database& database, const std::string& select) {
 struct Owners {
   explicit Owners(SQLite::Database& database)
       : jobs(ids_of(database, "SELECT id FROM jobs")),
-        going_on(ids_of(database, "SELECT id FROM jobs WHERE ended_at IS NULL")),
+        going_on(ids_of(
+            database,
+            "SELECT id FROM jobs WHERE ended_at IS NULL OR (state = 'failed' AND archive_id IS NULL)")),
         archives(ids_of(database, "SELECT DISTINCT archive_id FROM jobs WHERE archive_id IS NOT NULL")) {}
 
   Ids jobs;
-  Ids going_on;
+  Ids going_on;  ///< or may, if they are tried again
   Ids archives;
 };
 
 /// Why nothing needs a file, or nothing.
 std::string fault_of_archive_file(const Owners& owners, const std::string& id, std::string_view suffix) {
-  if (suffix == ".h5" || suffix == ".xdmf") return owners.archives.contains(id) ? "" : "is of no job";
+  if (suffix == ".h5" || suffix == ".xdmf") {
+    // One of a job that goes on was finished just before the end of the service: its next attempt has only to
+    // say so.
+    return owners.archives.contains(id) || owners.going_on.contains(id) ? "" : "is of no job";
+  }
   if (suffix == ".h5.part" || suffix == ".h5.before" || suffix == ".h5.checkpoint") {
     return owners.going_on.contains(id) ? "" : "was left unfinished, and its job does not go on";
   }

@@ -133,7 +133,7 @@ struct QueueState {
 
 /// A job that was removed.
 struct Removed {
-  std::optional<std::string> archive_id;  ///< the archive that no job has any more
+  std::optional<std::string> archive_id;  ///< the archive, if there is one, that no job has any more
 };
 
 /// A job that may be removed.

@@ -57,10 +57,11 @@ std::optional<Candidate> next_candidate(Connection& database,
 }
 
 /// Whether a job need not run, for its result is there or on its way.
-bool spared(Connection& database, const Candidate& job, TimeMs now) {
+bool spared(Connection& database, const Candidate& job, TimeMs now, bool& gave_result) {
   if (job.fresh) return false;
   if (const auto source = job_with_result(database, job.case_hash)) {
     give_result(database, job.id, *source, now);
+    gave_result = true;
     return true;
   }
   if (const auto leader = job_on_the_way(database, job.case_hash)) {
@@ -78,13 +79,15 @@ bool end_without_result(Connection& database, Prepared& update, std::string_view
 
 }  // namespace
 
-std::optional<ClaimedJob> JobStore::claim(std::string_view owner, std::chrono::milliseconds lease) {
-  return parts_->writer.run([&](Connection& db) -> std::optional<ClaimedJob> {
+std::optional<ClaimedJob> JobStore::claim(std::string_view owner, std::chrono::milliseconds lease,
+                                          bool* gave_results) {
+  bool gave = false;
+  const auto claimed = parts_->writer.run([&](Connection& db) -> std::optional<ClaimedJob> {
     if (queue_is_paused(db)) return std::nullopt;
     const TimeMs now = parts_->clock();
     end_delays(db, now);
     auto candidate = next_candidate(db, parts_->turns);
-    while (candidate && spared(db, *candidate, now)) candidate = next_candidate(db, parts_->turns);
+    while (candidate && spared(db, *candidate, now, gave)) candidate = next_candidate(db, parts_->turns);
     if (!candidate) return std::nullopt;
     Prepared update(db, claim_job);
     update.bind(":id", candidate->id);
@@ -92,10 +95,12 @@ std::optional<ClaimedJob> JobStore::claim(std::string_view owner, std::chrono::m
     update.bind(":owner", std::string(owner));
     update.bind(":until", now + static_cast<std::int64_t>(lease.count()));
     update.exec();
-    ClaimedJob claimed{select_job(db, candidate->id).value(), select_case_text(db, candidate->id).value()};
-    parts_->turns[claimed.job.lane] = ++parts_->last_turn;
-    return claimed;
+    ClaimedJob taken{select_job(db, candidate->id).value(), select_case_text(db, candidate->id).value()};
+    parts_->turns[taken.job.lane] = ++parts_->last_turn;
+    return taken;
   });
+  if (gave_results != nullptr) *gave_results = gave;
+  return claimed;
 }
 
 Lease JobStore::renew(std::string_view id, int attempt, std::chrono::milliseconds lease,

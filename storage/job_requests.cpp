@@ -92,7 +92,7 @@ std::optional<Job> JobStore::resume(std::string_view id) {
 std::optional<Job> JobStore::retry(std::string_view id) {
   static const Request retry{
       "state = 'queued', started_at = NULL, ended_at = NULL, error = NULL, setbacks = 0, progress = NULL, "
-      "summary = NULL, archive_id = NULL, archive_size = NULL, archive_sha256 = NULL",
+      "summary = NULL, archive_id = NULL, archive_size = NULL, archive_sha256 = NULL, result_of = NULL",
       "'failed', 'cancelled'"};
   return parts_->writer.run([&](Connection& db) { return perform(db, id, retry, parts_->clock()); });
 }
@@ -103,7 +103,9 @@ std::optional<Removed> JobStore::remove(std::string_view id, Removal how) {
     if (!job) return std::nullopt;
     if (!has_ended(job->state)) throw InvalidTransition(job->state);
     Removed removed;
-    if (job->archive_id && !is_shared(db, *job->archive_id, id)) removed.archive_id = job->archive_id;
+    // One that failed with an archive and was tried again does not have it any more, but it is there.
+    const std::string archive_id = job->archive_id.value_or(job->id);
+    if (!is_shared(db, archive_id, id)) removed.archive_id = archive_id;
     forget_job(db, id);
     const bool sweep_goes = job->place && forget_empty_sweep(db, job->place->sweep);
     if (how == Removal::expired) {

@@ -68,7 +68,9 @@ class JobStore {
   /// The job whose turn it is, if any: of the highest priority, of the lane that was served longest ago, the
   /// oldest. One that runs already is not run twice at a time: whoever wants the same result waits for it.
   /// `owner` names the process (or the node) that will run it.
-  std::optional<ClaimedJob> claim(std::string_view owner, std::chrono::milliseconds lease);
+  /// @param gave_results  set where jobs whose turn it was have succeeded with the result of another
+  std::optional<ClaimedJob> claim(std::string_view owner, std::chrono::milliseconds lease,
+                                  bool* gave_results = nullptr);
 
   /// Keeps the job for another `lease` from now, and stores how far it is.
   Lease renew(std::string_view id, int attempt, std::chrono::milliseconds lease,

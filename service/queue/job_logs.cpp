@@ -25,7 +25,7 @@ std::string first_line(const storage::Job& job) {
 
 /// A job that was given another's result did not run, and nobody wrote of it.
 std::string last_line(const storage::Job& job) {
-  if (!job.result_of || !job.ended_at) return {};
+  if (!job.result_of || job.state != storage::JobState::succeeded) return {};
   return line_of(*job.ended_at, "succeeded", {{"result_of", *job.result_of}});
 }
 

@@ -119,9 +119,10 @@ void Queue::work() {
 }
 
 bool Queue::work_once() {
-  auto claimed = store_.claim(owner_, lease_time);
+  bool gave_results = false;
+  auto claimed = store_.claim(owner_, lease_time, &gave_results);
+  if (claimed || gave_results) changes_.announce();
   if (!claimed) return false;
-  changes_.announce();
   if (!live_.wait_until_ended(claimed->job.id, handover_time)) {
     // The last attempt lost its lease and has not stopped yet; both would write the same files.
     if (const auto last = live_.find(claimed->job.id)) last->stop(StopReason::lease_lost);

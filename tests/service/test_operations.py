@@ -114,6 +114,26 @@ class TestDoctor:
         assert doctor(data, "--deep")[0] == 0
         assert (data / "lost+found/archives" / archive.name).exists() == (damage != "gone")
 
+    def test_what_a_job_can_go_on_from_stays(self, data, done):
+        """One that failed for want of room may be tried again; another's archive was published just before a kill."""
+        database = sqlite3.connect(data / "jobs.sqlite")
+        database.execute("UPDATE jobs SET state = 'failed', error = '{}', summary = NULL, archive_id = NULL, archive_size = NULL, "
+                         "archive_sha256 = NULL WHERE id = ?", (done[0],))
+        database.commit()
+        database.close()
+        (data / "archives" / f"{done[0]}.h5.checkpoint").write_text("here it goes on")
+        assert doctor(data, "--mend")[0] == 0
+        assert (data / "archives" / f"{done[0]}.h5.checkpoint").exists() and (data / "archives" / f"{done[0]}.h5").exists()
+
+    def test_a_disk_that_is_not_there_loses_no_job(self, data, done):
+        (data / "archives").rename(data / "elsewhere")
+        (data / "archives").mkdir()
+        code, report = doctor(data, "--mend")
+        assert code == 1 and findings(report) == {("damage", "archives")}
+        (data / "archives").rmdir()
+        (data / "elsewhere").rename(data / "archives")
+        assert doctor(data, "--deep")[0] == 0
+
     def test_a_damaged_store_is_named_and_nothing_is_touched(self, data):
         database = data / "jobs.sqlite"
         content = bytearray(database.read_bytes())
@@ -163,6 +183,31 @@ class TestBackup:
             job = server.submit(plasma(duration=3e-5, name="another"))
             assert server.wait(job)["state"] == "succeeded"
 
+    def test_what_else_is_in_a_folder_stays(self, data, tmp_path):
+        for name in ("files/thesis.pdf", "notes.txt"):
+            folder = tmp_path / name.replace("/", "_")
+            (folder / name).parent.mkdir(parents=True)
+            (folder / name).write_text("not to be had again")
+            result = rouleau("backup", folder, "--data", data)
+            assert result.returncode == 1 and "a folder for the backup alone" in result.stderr
+            assert [path.read_text() for path in folder.rglob("*") if path.is_file()] == ["not to be had again"]
+
+    def test_a_damaged_store_takes_no_good_ones_place(self, data, tmp_path):
+        backup = tmp_path / "backup"
+        assert rouleau("backup", backup, "--data", data).returncode == 0
+        before = {path: path.read_bytes() for path in backup.rglob("*") if path.is_file() and path.name != "lock"}
+        database = data / "jobs.sqlite"
+        content = bytearray(database.read_bytes())
+        pages = sqlite3.connect(database)
+        root = pages.execute("SELECT rootpage FROM sqlite_schema WHERE name = 'job_inputs'").fetchone()[0]
+        pages.close()
+        content[(root - 1) * 4096:root * 4096] = bytes(4096)
+        database.write_bytes(content)
+        result = rouleau("backup", backup, "--data", data)
+        assert result.returncode != 0 and "damaged" in result.stderr
+        assert {path: path.read_bytes() for path in before} == before
+        assert rouleau("restore", backup, "--data", tmp_path / "other").returncode == 0
+
     def test_links_take_no_room_and_outlive_what_they_link_to(self, data, done, tmp_path):
         backup = tmp_path / "backup"
         assert rouleau("backup", backup, "--data", data, "--link").returncode == 0
@@ -171,6 +216,13 @@ class TestBackup:
         shutil.rmtree(data)
         assert rouleau("restore", backup, "--data", data).returncode == 0
         assert h5py.is_hdf5(archive) and archive.stat().st_nlink == 1
+
+    def test_a_damaged_archive_is_not_linked(self, data, done, tmp_path):
+        archive = data / "archives" / f"{done[1]}.h5"
+        content = archive.read_bytes()
+        archive.write_bytes(content[:-9] + bytes([content[-9] ^ 1]) + content[-8:])
+        result = rouleau("backup", tmp_path / "backup", "--data", data, "--link", "--json")
+        assert result.returncode == 1 and json.loads(result.stdout)["missing"] == [f"archives/{done[1]}.h5"]
 
     def test_an_archive_that_is_gone_is_said(self, data, done, tmp_path):
         (data / "archives" / f"{done[1]}.h5").unlink()

@@ -35,6 +35,7 @@ TEST(JobLogs, SayWhoseResultAJobWasGiven) {
   const storage::ScratchFolder folder;
   JobLogs logs(folder.path());
   storage::Job job = some_job();
+  job.state = storage::JobState::succeeded;
   job.result_of = "b";
   job.ended_at = job.created_at;
   EXPECT_EQ(logs.read(job, 0), accepted + "2026-11-22T03:33:13.042Z event=succeeded result_of=b\n");

@@ -1,11 +1,14 @@
 #include "service/retention.h"
 
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "service/http/problem.h"
+#include "service/queue/job_files.h"
 #include "tests/unit/storage/scratch.h"
 
 namespace rouleau::service {
@@ -110,10 +113,14 @@ TEST_F(RetentionOf, NoRoomThatCanBeMadeLetsNoJobIn) {
 }
 
 TEST_F(RetentionOf, AFullDiskLetsNoJobIn) {
+  const auto archives = folder.path() / "archives";
+  std::filesystem::create_directories(archives);
+  for (const std::string& id : jobs) std::ofstream(archive_path(archives, id)) << "1000 bytes";
+  std::filesystem::create_hard_link(archive_path(archives, jobs[1]), folder.path() / "backup");
   Retention tidy = retention({.least_free_bytes = std::uint64_t{1} << 60});
   EXPECT_THROW(tidy.check_room(), Problem);
   tidy.run();
-  EXPECT_TRUE(left().empty()) << "all that could go has gone";
+  EXPECT_EQ(left(), some({1})) << "whose archive a backup links to: its bytes would stay";
 }
 
 }  // namespace

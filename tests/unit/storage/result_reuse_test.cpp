@@ -1,3 +1,4 @@
+#include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
 #include "storage/job_store.h"
@@ -99,8 +100,12 @@ TEST_F(ResultReuse, AWaitingJobWhoseResultHasComeNeedNoWorker) {
   store.succeed(first, 1, some_result);
   EXPECT_EQ(job(second).state, JobState::paused);
   store.resume(second);
-  EXPECT_FALSE(claimed());
+  bool gave_results = false;
+  EXPECT_FALSE(store.claim("me", lease, &gave_results));
+  EXPECT_TRUE(gave_results);
   EXPECT_EQ(job(second).result_of, first);
+  EXPECT_FALSE(store.claim("me", lease, &gave_results));
+  EXPECT_FALSE(gave_results);
 }
 
 TEST_F(ResultReuse, AnArchiveStaysAsLongAsOneJobHasIt) {
@@ -115,6 +120,29 @@ TEST_F(ResultReuse, AnArchiveStaysAsLongAsOneJobHasIt) {
   EXPECT_FALSE(store.remove(second)->archive_id);
   EXPECT_EQ(store.remove(third)->archive_id, first);
   EXPECT_EQ(job(submitted()).state, JobState::queued);
+}
+
+TEST_F(ResultReuse, WhatATriedAgainRunLeftGoesWithItsJob) {
+  const std::string id = submitted();
+  claimed();
+  store.fail(id, 1, R"({"kind":"engine"})", some_result);
+  store.retry(id);
+  store.request_cancel(id);
+  EXPECT_FALSE(job(id).archive_id);
+  EXPECT_EQ(store.remove(id)->archive_id, id);
+}
+
+TEST_F(ResultReuse, WhoseResultWasLostComputesItsOwn) {
+  const std::string first = submitted();
+  claimed();
+  store.succeed(first, 1, some_result);
+  const std::string second = submitted();
+  ASSERT_EQ(job(second).result_of, first);
+  SQLite::Database(folder.path() / "jobs.sqlite", SQLite::OPEN_READWRITE)
+      .exec(
+          "UPDATE jobs SET state = 'failed', error = '{}', summary = NULL, archive_id = NULL, "
+          "archive_size = NULL, archive_sha256 = NULL");
+  EXPECT_FALSE(store.retry(second)->result_of);
 }
 
 class Idempotency : public ResultReuse {
