@@ -24,7 +24,7 @@ class Service:
         self.url, self.token, self.patience = url.rstrip("/"), token, patience
 
     def open(self, path, body=None, headers=None):
-        """Asks until there is an answer: a busy service (429, 503) says when to come again, one that restarts does not."""
+        """Asks until there is an answer: a busy service says when to come again, one that restarts does not."""
         headers = {**(headers or {}), **({"Authorization": f"Bearer {self.token}"} if self.token else {})}
         if body is not None:
             headers["Content-Type"] = "application/json"
@@ -34,7 +34,9 @@ class Service:
             try:
                 return urllib.request.urlopen(urllib.request.Request(self.url + path, body, headers), timeout=90)
             except urllib.error.HTTPError as error:
-                if error.code not in (429, 503) or time.monotonic() > deadline:
+                # 502 and 504 are a proxy's; 409 with Retry-After: an earlier try is still being worked on.
+                busy = error.code in (429, 502, 503, 504) or error.code == 409 and "Retry-After" in error.headers
+                if not busy or time.monotonic() > deadline:
                     raise
                 time.sleep(float(error.headers.get("Retry-After", gap)))
             except OSError:
@@ -68,14 +70,12 @@ class Service:
                     digest = answer.headers["ETag"].strip('"')
                     left = int(answer.headers["Content-Length"])
                     with open(part, "ab" if answer.status == 206 else "wb") as stream:
-                        while chunk := answer.read(1 << 20):
+                        while chunk := some_of(answer):
                             left -= stream.write(chunk)
             except urllib.error.HTTPError as error:
                 if error.code != 416:
                     raise
                 part.unlink()  # nothing is left to send: as long as the archive, or longer
-                continue
-            except OSError:
                 continue
             if left > 0:
                 continue
@@ -83,6 +83,14 @@ class Service:
                 part.rename(file)
                 return
             part.unlink()
+
+
+def some_of(answer):
+    """Nothing at the end, and where the connection broke off."""
+    try:
+        return answer.read(1 << 20)
+    except OSError:
+        return b""
 
 
 def main():

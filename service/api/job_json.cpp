@@ -18,7 +18,7 @@ nlohmann::json parsed_or_null(const std::optional<std::string>& text) {
 }
 
 nlohmann::json progress_of(const storage::Job& job, const LiveJobs& live) {
-  if (!storage::has_ended(job.state)) {
+  if (job.state == storage::JobState::running || job.state == storage::JobState::cancelling) {
     const auto running = live.find(job.id);
     if (const auto progress = running ? running->progress() : std::nullopt) return to_json(*progress);
   }

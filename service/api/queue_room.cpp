@@ -7,6 +7,10 @@
 namespace rouleau::service {
 
 void QueueRoom::enter(std::int64_t jobs) {
+  if (jobs > most_) {
+    throw Problem(problems::sweep_too_large, std::to_string(jobs) + " jobs at once; at most " +
+                                                 std::to_string(most_) + " may wait (--max-queued)");
+  }
   check_space_();
   constexpr std::chrono::milliseconds old{250};
   const std::lock_guard lock(mutex_);

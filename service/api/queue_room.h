@@ -20,7 +20,7 @@ class QueueRoom {
       : store_(store), most_(most), check_space_(std::move(check_space)) {}
 
   /// @param jobs about to be submitted together
-  /// @throws Problem 503 queue-full, no-space
+  /// @throws Problem 422 sweep-too-large, 503 queue-full, no-space
   void enter(std::int64_t jobs);
 
  private:

@@ -83,6 +83,10 @@ storage::SeriesTable select_columns(const storage::SeriesTable& table,
       faults.push_back({"?columns", "no column named " + name});
       continue;
     }
+    if (column_index(selected, name) >= 0) {
+      throw Problem(problems::invalid_request, "a query parameter is not valid",
+                    {{"?columns", name + " is named more than once"}});
+    }
     selected.columns.push_back(table.columns[static_cast<std::size_t>(c)]);
     selected.values.push_back(table.values[static_cast<std::size_t>(c)]);
   }

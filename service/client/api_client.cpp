@@ -25,8 +25,10 @@ std::string without_trailing_slash(std::string url) {
   return url;
 }
 
-bool is_busy(const httplib::Result& result) {
-  return result && (result->status == 429 || result->status == 503);
+/// Whether to ask again: the server says so, or the proxy before it that it does not answer.
+bool is_busy(const httplib::Response& response) {
+  const bool is_being_worked_on = response.status == 409 && response.has_header("Retry-After");
+  return is_being_worked_on || response.status == 429 || (response.status >= 502 && response.status <= 504);
 }
 
 std::chrono::milliseconds asked_for(const httplib::Response& response) {
@@ -58,7 +60,7 @@ httplib::Result ApiClient::send(const std::function<httplib::Result(httplib::Cli
   for (;;) {
     httplib::Result result = request(*client_);
     if (result || result.error() != httplib::Error::Connection) reached_ = true;
-    const bool again = result ? is_busy(result) : reached_;
+    const bool again = result ? is_busy(*result) : reached_;
     if (!again || !retry.wait(result ? asked_for(*result) : std::chrono::milliseconds(0))) return result;
   }
 }

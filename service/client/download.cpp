@@ -58,6 +58,7 @@ bool ApiClient::receive_rest(const std::string& path, const fs::path& part, cons
         status = response.status;
         if (status == 200 || status == 206) {
           stream.open(part, std::ios::binary | (status == 206 ? std::ios::app : std::ios::trunc));
+          return stream.is_open();
         }
         return true;
       },
@@ -69,11 +70,11 @@ bool ApiClient::receive_rest(const std::string& path, const fs::path& part, cons
         came = true;
         return static_cast<bool>(stream.write(data, static_cast<std::streamsize>(size)));
       });
-  if (stream.is_open()) {
+  if (status == 200 || status == 206) {
     stream.close();
     if (!stream) throw std::runtime_error("cannot write " + part.string());
   }
-  const bool busy = status == 429 || status == 503;
+  const bool busy = status == 429 || (status >= 502 && status <= 504);
   if (status >= 400 && !busy) check(result, problem);
   return came;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 #include <iostream>
+#include <thread>
 
 #include "service/commands/command.h"
 #include "service/commands/progress_line.h"
@@ -67,9 +69,12 @@ bool has_ended(const nlohmann::json& job) {
 nlohmann::json follow_job(ApiClient& client, const std::string& id) {
   ProgressLine line;
   for (;;) {
+    // A server with too many that wait answers at once.
+    const auto next = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
     auto job = client.get(job_path(id) + "?wait=1s");
     if (const auto& progress = job["progress"]; progress.is_object()) line.show(progress_of(progress));
     if (has_ended(job)) return job;
+    std::this_thread::sleep_until(next);
   }
 }
 

@@ -33,11 +33,6 @@ int fetch_one(const Options& options, bool json) {
   return exit_done;
 }
 
-/// A job that failed otherwise than by going unstable has no archive.
-bool has_none(const ServerError& error) {
-  return error.status() == 409 || error.status() == 404 || error.status() == 410;
-}
-
 int fetch_all(const Options& options, bool json) {
   ApiClient client = options.client.connect();
   JobFilter filter = options.filter;
@@ -57,7 +52,7 @@ int fetch_all(const Options& options, bool json) {
       try {
         archives.push_back(fetch_archive(client, ids[k], folder / (ids[k] + ".h5")));
       } catch (const ServerError& error) {
-        if (!has_none(error)) throw;
+        if (!has_no_archive(error)) throw;
         ++without;
       }
     }

@@ -33,4 +33,8 @@ nlohmann::json fetch_archive(ApiClient& client, const std::string& id, const std
           {"was_there", archive.was_there}};
 }
 
+bool has_no_archive(const ServerError& error) {
+  return error.status() == 409 || error.status() == 404 || error.status() == 410;
+}
+
 }  // namespace rouleau::service

@@ -54,13 +54,18 @@ void add_sweep(CLI::App& app, Action& action) {
     const bool there = server->count() > 0;
     action.run = [&action, options, there] {
       const nlohmann::json given = parse_json(read_case_file(options->file));
-      if (there) {
-        ApiClient client = options->client.connect();
-        return sweep_there(client, given, options->folder, options->wait, action.json);
-      }
-      const std::filesystem::path folder = options->folder.empty()
+      const std::filesystem::path folder = options->folder.empty() && !there
                                                ? std::filesystem::path(options->file).stem()
                                                : std::filesystem::path(options->folder);
+      if (std::error_code none;
+          !folder.empty() && std::filesystem::equivalent(options->file, folder / "sweep.json", none)) {
+        throw CommandError(exit_bad_input,
+                           options->file + " is where the sweep's own sweep.json goes; name another folder");
+      }
+      if (there) {
+        ApiClient client = options->client.connect();
+        return sweep_there(client, given, folder, options->wait, action.json);
+      }
       return sweep_here(given, folder, options->here, action.json);
     };
   });

@@ -61,7 +61,7 @@ std::size_t fetch_archives(ApiClient& client, const SweepTable& table, const std
       fetch_archive(client, job, sweep_archive(folder, hash));
       fetched.insert(hash);
     } catch (const ServerError& error) {
-      if (error.status() != 409) throw;  // it left none
+      if (!has_no_archive(error)) throw;
     }
   }
   return fetched.size();

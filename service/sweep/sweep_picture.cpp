@@ -59,7 +59,8 @@ Range range_of(const std::map<std::string, Points>& lines, bool of_y) {
       range = {std::min(range.from, of_y ? y : x), std::max(range.to, of_y ? y : x)};
     }
   }
-  if (range.to <= range.from) {
+  const double largest = std::max(std::abs(range.from), std::abs(range.to));
+  if (range.to - range.from <= 1e-9 * largest) {
     const double margin = range.from == 0 ? 1 : 0.1 * std::abs(range.from);
     range = {range.from - margin, range.to + margin};
   }
@@ -70,14 +71,16 @@ Range range_of(const std::map<std::string, Points>& lines, bool of_y) {
 std::string draw_ticks(const Range& x, const Range& y) {
   std::string svg;
   const double x_step = step_of(x.to - x.from), y_step = step_of(y.to - y.from);
-  for (double v = x.from; v <= x.to + x_step / 2; v += x_step) {
+  for (int k = 0; k <= std::lround((x.to - x.from) / x_step); ++k) {
+    const double v = x.from + k * x_step;
     const double at = x.at(v, left, width - right);
     svg += fmt::format(
         "<path stroke=\"#444\" d=\"M{0:.1f},{1}v5\"/><text x=\"{0:.1f}\" y=\"{2}\" "
         "text-anchor=\"middle\">{3:.4g}</text>\n",
         at, height - bottom, height - bottom + 18, std::abs(v) < x_step / 2 ? 0 : v);
   }
-  for (double v = y.from; v <= y.to + y_step / 2; v += y_step) {
+  for (int k = 0; k <= std::lround((y.to - y.from) / y_step); ++k) {
+    const double v = y.from + k * y_step;
     const double at = y.at(v, height - bottom, top);
     svg += fmt::format(
         "<path stroke=\"#444\" d=\"M{0},{1:.1f}h-5\"/><text x=\"{2}\" y=\"{3:.1f}\" "

@@ -73,6 +73,8 @@ def test_series_of_unknown_columns(server, finished):
     assert answer.status == 400
     assert answer.json()["type"] == "/problems/unknown-column"
     assert len(answer.json()["errors"]) == 2
+    answer = server.get(f"/v1/jobs/{finished['id']}/series?columns=time,time")
+    assert (answer.status, answer.json()["type"]) == (400, "/problems/invalid-request")
 
 
 def test_frames(server, finished):

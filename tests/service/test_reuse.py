@@ -1,6 +1,7 @@
 """One result for the same case, one job for the same key, and turns between lanes."""
 
 import concurrent.futures
+import time
 
 import pytest
 
@@ -107,6 +108,23 @@ def test_a_full_queue_says_so(tmp_path):
         answer = submit(server, plasma(duration=1e-3))
         assert (answer.status, answer.json()["type"]) == (503, "/problems/queue-full")
         assert int(answer.headers["Retry-After"]) > 0
+        sweep = {"case": plasma(), "axes": [{"pointer": "/duration", "values": [4e-4, 5e-4, 6e-4]}]}
+        answer = server.request("POST", "/v1/sweeps", sweep)
+        assert (answer.status, answer.json()["type"]) == (422, "/problems/sweep-too-large"), "it would never fit"
+
+
+def test_who_waits_for_a_resumed_job_is_told_that_its_result_has_come(server):
+    running = server.submit(endless())
+    server.request("POST", "/v1/queue:pause")
+    first, second = (server.submit(plasma(duration=7e-5), fresh=False) for _ in range(2))
+    server.request("POST", f"/v1/jobs/{second}:pause")
+    server.request("POST", "/v1/queue:resume")
+    server.wait(first)
+    begun = time.monotonic()
+    server.request("POST", f"/v1/jobs/{second}:resume")
+    while server.get(f"/v1/jobs/{second}?wait=30s").json()["state"] != "succeeded":
+        assert time.monotonic() < begun + 20
+    server.request("POST", f"/v1/jobs/{running}:cancel")
 
 
 def test_what_was_accepted_is_answered_again_while_the_queue_is_full(tmp_path):

@@ -54,6 +54,15 @@ def test_every_point_has_an_archive_and_a_row(sweep, tmp_path):
     assert kept["sweep"] == body and kept["table"] == told["table"]
 
 
+def test_the_sweep_itself_is_not_written_over(tmp_path, rouleau):
+    file = tmp_path / "sweep.json"
+    file.write_text(json.dumps({"case": plasma(), "axes": [velocities]}))
+    before = file.read_text()
+    done = subprocess.run([rouleau, "sweep", "sweep.json", "-o", "."], cwd=tmp_path, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 2 and "another folder" in done.stderr
+    assert file.read_text() == before and list(tmp_path.iterdir()) == [file]
+
+
 def test_started_again_it_runs_what_is_not_there(sweep, tmp_path):
     assert sweep({"case": plasma(), "axes": [velocities]}).returncode == 0
     before = archives(tmp_path / "out")

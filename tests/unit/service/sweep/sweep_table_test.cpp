@@ -1,5 +1,6 @@
 #include "service/sweep/sweep_table.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 #include <gtest/gtest.h>
@@ -58,6 +59,15 @@ TEST(SweepPicture, HasALineForEachValueOfTheSecondAxis) {
   EXPECT_THAT(svg, ::testing::HasSubstr("/a&lt;b"));
   EXPECT_THAT(svg, ::testing::HasSubstr("/c = 6"));
   EXPECT_THAT(svg, ::testing::Not(::testing::HasSubstr("nan")));
+}
+
+TEST(SweepPicture, OfValuesThatHardlyDifferHasAnEnd) {
+  for (const double value : {0.005, 1.0, 3e-7, 1e300}) {
+    auto rows = rows_of({{1}, {2}});
+    rows[1].summary["cells"][0]["peak_velocity"] = value;
+    rows[0].summary["cells"][0]["peak_velocity"] = std::nextafter(std::nextafter(value, HUGE_VAL), HUGE_VAL);
+    EXPECT_LT(draw_sweep(make_table({"/a"}, rows), 1).size(), 10000u);
+  }
 }
 
 TEST(SweepPicture, IsNotDrawnWhereItWouldShowNothing) {
