@@ -221,8 +221,8 @@ def _(world, folder):
 def _(world, folder):
     with another_server(folder, "--max-queued", "1") as server:
         server.request("POST", "/v1/queue:pause")
-        axis = {"pointer": "/inflow/velocity", "values": [0.001, 0.002]}
-        return server.request("POST", "/v1/sweeps", {"case": plasma(), "axes": [axis]})
+        server.submit(plasma())
+        return server.request("POST", "/v1/jobs", {"case": plasma()})
 
 
 @provoke("draining")
