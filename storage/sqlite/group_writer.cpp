@@ -45,7 +45,7 @@ void GroupWriter::perform(std::function<void(Connection&)> work) {
     enough = waiting_.size() == wanted_;
   }
   if (enough) arrived_.notify_one();
-  write->answered.acquire();
+  write->answered.get_future().wait();
   if (write->error) std::rethrow_exception(write->error);
 }
 
@@ -69,7 +69,7 @@ void GroupWriter::serve() {
     const Group group = std::exchange(waiting_, {});
     lock.unlock();
     commit_group(group);
-    for (const auto& write : group) write->answered.release();
+    for (const auto& write : group) write->answered.set_value();
     last_group = group.size();
     lock.lock();
     log_has_grown = true;
