@@ -36,23 +36,25 @@ GroupWriter::~GroupWriter() {
 }
 
 void GroupWriter::perform(std::function<void(Connection&)> work) {
-  const auto write = std::make_shared<Write>();
-  write->work = std::move(work);
+  Write write{std::move(work), {}};
+  std::shared_future<void> answered;
   bool enough = false;
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back(write);
-    enough = waiting_.size() == wanted_;
+    waiting_.writes.push_back(&write);
+    answered = waiting_.answered;
+    enough = waiting_.writes.size() == wanted_;
   }
   if (enough) arrived_.notify_one();
-  write->answered.get_future().wait();
-  if (write->error) std::rethrow_exception(write->error);
+  // Not a semaphore: GCC's yields the processor some times before it sleeps.
+  answered.wait();
+  if (write.error) std::rethrow_exception(write.error);
 }
 
 void GroupWriter::serve() {
   bool log_has_grown = false;
   std::size_t last_group = 0;
-  const auto called = [this] { return stopping_ || !waiting_.empty(); };
+  const auto called = [this] { return stopping_ || !waiting_.writes.empty(); };
   std::unique_lock lock(mutex_);
   while (true) {
     gather(lock, last_group);
@@ -65,12 +67,12 @@ void GroupWriter::serve() {
       log_has_grown = false;
       continue;
     }
-    if (waiting_.empty()) return;
-    const Group group = std::exchange(waiting_, {});
+    if (waiting_.writes.empty()) return;
+    Group group = std::exchange(waiting_, {});
     lock.unlock();
-    commit_group(group);
-    for (const auto& write : group) write->answered.set_value();
-    last_group = group.size();
+    commit_group(group.writes);
+    group.committed.set_value();
+    last_group = group.writes.size();
     lock.lock();
     log_has_grown = true;
   }
@@ -78,20 +80,20 @@ void GroupWriter::serve() {
 
 void GroupWriter::gather(std::unique_lock<std::mutex>& lock, std::size_t last_group) {
   if (last_group < 2) return;
-  wanted_ = waiting_.size() + last_group;
-  arrived_.wait_for(lock, gathering_time, [this] { return stopping_ || waiting_.size() >= wanted_; });
+  wanted_ = waiting_.writes.size() + last_group;
+  arrived_.wait_for(lock, gathering_time, [this] { return stopping_ || waiting_.writes.size() >= wanted_; });
   wanted_ = 1;
 }
 
-void GroupWriter::commit_group(const Group& group) {
+void GroupWriter::commit_group(const std::vector<Write*>& group) {
   try {
     execute(database_, "BEGIN IMMEDIATE");
-    for (const auto& write : group) run_within_savepoint(*write);
+    for (Write* const write : group) run_within_savepoint(*write);
     execute(database_, "COMMIT");
   } catch (const SQLite::Exception& error) {
     const auto failure = std::make_exception_ptr(to_store_error(error));
     roll_back(database_);
-    for (const auto& write : group) {
+    for (Write* const write : group) {
       if (!write->error) write->error = failure;
     }
   }

@@ -5,7 +5,6 @@
 #include <exception>
 #include <functional>
 #include <future>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -42,15 +41,19 @@ class GroupWriter {
   struct Write {
     std::function<void(Connection&)> work;
     std::exception_ptr error;
-    std::promise<void> answered;  // not a semaphore: GCC's yields the processor some times before it sleeps
   };
-  using Group = std::vector<std::shared_ptr<Write>>;  // whoever was answered may be gone at once
+  /// Writes that share a commit; all who wait for it are woken by one call.
+  struct Group {
+    std::vector<Write*> writes;  ///< their callers', who wait
+    std::promise<void> committed;
+    std::shared_future<void> answered = committed.get_future().share();
+  };
 
   void perform(std::function<void(Connection&)> work);
   void serve();
   /// Waits for those whom the last commit answered to come back, if they are quick.
   void gather(std::unique_lock<std::mutex>& lock, std::size_t last_group);
-  void commit_group(const Group& group);
+  void commit_group(const std::vector<Write*>& group);
   void run_within_savepoint(Write& write);
   void checkpoint();
 

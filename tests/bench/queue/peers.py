@@ -81,7 +81,8 @@ PEERS = {"BullMQ": ("bullmq.mjs", redis), "plainjob": ("plainjob.mjs", no_server
 
 def install():
     if not (HERE / "node_modules").is_dir():
-        subprocess.run(["npm", "ci", "--no-audit", "--no-fund"], cwd=HERE, check=True, stdout=subprocess.DEVNULL)
+        # Not `npm ci`, which does not take the lock where it leaves out what is optional on other platforms.
+        subprocess.run(["npm", "install", "--no-save", "--no-audit", "--no-fund"], cwd=HERE, check=True, stdout=subprocess.DEVNULL)
 
 
 def lines_of(name, folder, jobs, clients, payload):
